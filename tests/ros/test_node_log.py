@@ -1,6 +1,5 @@
 """node_log: what nodes logged, and reading it like a terminal."""
 
-import threading
 
 import pytest
 from rcl_interfaces.msg import Log
@@ -46,32 +45,6 @@ def test_reading_one_node_leaves_the_others_unread():
     assert log.read(until='x', node='/b') == '[INFO] [b]: x'
     assert log.read(until='x') == '[INFO] [a]: x'
     assert log.read(until='x', node='/a') == '[INFO] [a]: x'
-
-
-def test_what_was_read_of_all_is_not_read_again_of_one():
-    log = NodeLog()
-    for text in ('one', 'two'):
-        log.receive(message(text))
-    log.read(until='one')
-    assert log.read(until='two', node='/a') == '[INFO] [a]: two'
-
-
-def test_a_missing_line_names_what_came_instead():
-    log = NodeLog()
-    log.receive(message('something else', level=30))
-    with pytest.raises(WaitTimeoutError, match=r'\[WARN\] \[a\]: something else'):
-        log.read(until='wanted', timeout_sec=0.01)
-
-
-def test_a_reader_waits_for_a_line_that_comes_later():
-    log = NodeLog()
-    texts = []
-    reader = threading.Thread(target=lambda: texts.append(log.read(until='late', timeout_sec=30)))
-    reader.start()
-    log.receive(message('early'))
-    log.receive(message('late'))
-    reader.join()
-    assert texts == ['[INFO] [a]: early\n[INFO] [a]: late']
 
 
 def test_clear_and_overflow():

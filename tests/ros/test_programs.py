@@ -62,14 +62,6 @@ def test_a_program_has_its_own_arguments_and_is_asked_and_ended(tmp_path):
         "--params-file file.yaml (ended with status 0)> ['/simple_param_node']\n")
 
 
-def test_a_start_value_of_the_wrong_type_ends_a_program_with_its_traceback(tmp_path):
-    assert run("robot = Terminal('ros2 run param_tutorial simple_param_node --ros-args -p max_speed_rpm:=fast')\n"
-               "print(robot.text.splitlines()[-2][:80])\nprint(robot.text.splitlines()[-1])\n"
-               "print(robot.interrupt(), ros.services.node_names())", tmp_path) == (
-        "rclpy.exceptions.InvalidParameterTypeException: Trying to set parameter 'max_spe\n"
-        '[ros2run]: Process exited with failure 1\n1 []\n')
-
-
 def test_an_error_in_a_callback_ends_a_program_as_a_process(tmp_path):
     assert run(written(tmp_path, """
         import rclpy
@@ -123,12 +115,8 @@ def test_an_uncaught_ctrl_c_and_a_kill_are_told_apart(tmp_path):
         "-2 KeyboardInterrupt\nTrue -9 '' []\n")
 
 
-@pytest.mark.parametrize('spin', [
-    'executor = rclpy.executors.SingleThreadedExecutor(); executor.add_node(node); executor.spin()',
-    'while rclpy.ok() and count < 3: rclpy.spin_once(node)',
-    'rclpy.spin_until_future_complete(node, future)'])
-def test_every_spin_of_rclpy_lets_others_live(tmp_path, spin):
-    assert run(written(tmp_path, f"""
+def test_every_spin_of_rclpy_lets_others_live(tmp_path):
+    assert run(written(tmp_path, """
         import rclpy, rclpy.executors
         from rclpy.node import Node
         rclpy.init()
@@ -137,12 +125,17 @@ def test_every_spin_of_rclpy_lets_others_live(tmp_path, spin):
             global count
             count += 1
             if count == 3:
-                print('three')
                 future.set_result(3)
         node.create_timer(0.02, tick)
-        {spin}
-        """) + "print(ros.run(lambda: 'the stage is free', 'ask'))\nprint(terminal.read(until='three'))\n"
-               "terminal.interrupt()", tmp_path) == 'the stage is free\nthree\n'
+        rclpy.spin_until_future_complete(node, future)
+        while count < 6:
+            rclpy.spin_once(node)
+        print('six')
+        executor = rclpy.executors.SingleThreadedExecutor()
+        executor.add_node(node)
+        executor.spin()
+        """) + "print(ros.run(lambda: 'the stage is free', 'ask'))\nprint(terminal.read(until='six'))\n"
+               "terminal.interrupt()", tmp_path) == 'the stage is free\nsix\n'
 
 
 def test_a_launch_starts_three_programs_and_ends_them(tmp_path):
@@ -167,17 +160,6 @@ def test_a_launch_starts_three_programs_and_ends_them(tmp_path):
         '[INFO] [simple_param_node-2]: process started\n'
         '[INFO] [simple_param_node-3]: process started\n'
         '[ERROR] [simple_param_node-3]: process has died [')
-
-
-def test_the_embedded_command_goes_on_beside_the_cells(tmp_path):
-    assert run("from param_tutorial.nodes.simple_param_node import SimpleParamNode\nros.add(SimpleParamNode)\n"
-               "watch = Terminal('ros2 watch --log log.jsonl')\n"
-               "print(watch.read(until='Watching'))\n"
-               "ParameterClient('/simple_param_node').set_parameter('max_speed_rpm', 8)\n"
-               "print(watch.read(until='max_speed').split(maxsplit=1)[1], watch.interrupt())\n"
-               "print(Terminal('ros2 history log.jsonl').read(until='max_speed').split()[-2:])", tmp_path) == (
-        'Watching 9 parameters of 1 node\n/simple_param_node max_speed_rpm: 100 → 8 0\n'
-        "['100', '8']\n")
 
 
 def test_what_needs_a_process_says_so(tmp_path):

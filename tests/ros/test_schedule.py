@@ -26,35 +26,12 @@ def job():
         each.end()
 
 
-def test_a_job_runs_after_it_is_woken_and_then_rests(job):
-    ran = threading.Event()
-    each = job(ran.set)
-    assert each.is_idle
-    each.wake()
-    assert ran.wait(60)
-    wait_until(lambda: each.is_idle, 'the job to rest')
-
-
 def test_however_often_it_is_woken_it_keeps_its_period(job):
     times = []
     each = job(lambda: times.append(schedule.time.monotonic()), 0.05)
     while len(times) < 4:
         each.wake()
     assert all(after - before >= 0.05 for before, after in itertools.pairwise(times))
-
-
-def test_a_job_says_when_it_wants_to_run_again(job):
-    runs = []
-    job(lambda: runs.append(1) or (0.001 if len(runs) < 3 else None)).wake()
-    wait_until(lambda: len(runs) == 3, 'the third run')
-
-
-def test_a_job_that_is_woken_for_later_can_be_woken_for_now(job):
-    ran = threading.Event()
-    each = job(ran.set)
-    each.wake(1000.0)
-    each.wake()
-    assert ran.wait(60)
 
 
 def test_it_never_runs_twice_at_once(job):

@@ -31,12 +31,6 @@ def test_a_name_becomes_fully_qualified(given, name):
     assert full_name(given) == name
 
 
-def test_so_does_a_node_and_nothing_else(ros):
-    assert full_name(ros.add(Node, 'talker', namespace='/left')) == '/left/talker'
-    with pytest.raises(TypeError, match='3 is not a node'):
-        full_name(3)
-
-
 def test_a_destroyed_node_has_no_name(ros):
     node = ros.add(SimpleParamNode)
     ros.remove(node)

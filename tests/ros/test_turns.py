@@ -34,36 +34,12 @@ def run(source):
     return done.stdout
 
 
-def test_a_client_of_rclpy_can_be_called_from_the_cell():
-    assert run("from rcl_interfaces.srv import ListParameters\n"
-               "asking = node.create_client(ListParameters, '/simple_param_node/list_parameters')\n"
-               "print('max_speed_rpm' in asking.call(ListParameters.Request()).result.names)") == 'True\n'
-
-
-def test_a_callback_that_waits_for_its_own_executor_waits_in_vain():
-    assert run('said = []\n'
-               "def ask():\n"
-               "    timer.cancel()\n"
-               "    try: client.get_parameter('max_speed_rpm')\n"
-               "    except Exception as error: said.append(str(error))\n"
-               'timer = node.create_timer(0.01, ask)\n'
-               "print('keeps busy' in wait_until(lambda: said, 'a word')[0])") == 'True\n'
-
-
 def test_a_panel_follows_and_leads():
     assert run("panel = ParameterPanel(node)\nclient.set_parameter('max_speed_rpm', 130)\n"
                "wait_until(lambda: panel['max_speed_rpm'].value == 130, 'the panel')\n"
                "panel['max_speed_rpm'].value = 140\npanel.settle()\nprint(client.get_parameter('max_speed_rpm'))\n"
                "panel._on_message(None, {'do': 'undo'}, None)\nprint(client.get_parameter('max_speed_rpm'))\n"
                'panel.close()') == '140\n130\n'
-
-
-def test_changes_are_heard_of():
-    assert run('from param_tools import ChangeFollower\nheard = []\n'
-               'with ChangeFollower(heard.extend):\n'
-               "    client.set_parameter('robot_name', 'Berta')\n"
-               "    wait_until(lambda: any(each.new == 'Berta' for each in heard), 'the change')\n"
-               "print(heard[-1].old)") == 'Clawbot\n'
 
 
 def test_asyncio_gives_turns_between_the_cells():

@@ -3,16 +3,8 @@
 import threading
 import time
 
-import pytest
-
-from param_tools.errors import WaitTimeoutError
 from param_tools.ros import waiting
 from param_tools.ros.waiting import wait, wait_for, wait_until
-
-
-def test_what_has_come_is_returned_at_once():
-    assert wait_until(lambda: 'value', 'a value', timeout_sec=0.0) == 'value'
-    assert wait(lambda: True, 0.0)
 
 
 def test_what_comes_late_is_waited_for():
@@ -20,12 +12,6 @@ def test_what_comes_late_is_waited_for():
     threading.Timer(0.05, event.set).start()
     wait_until(event.is_set, 'the event', 60.0)
     assert wait_for(event, 0.0)
-
-
-def test_what_does_not_come_is_named():
-    with pytest.raises(WaitTimeoutError, match='waiting for the moon'):
-        wait_until(lambda: False, 'the moon', timeout_sec=0.01)
-    assert not wait_for(threading.Event(), 0.01)
 
 
 def test_the_last_look_comes_after_the_deadline(monkeypatch):

@@ -7,7 +7,7 @@ another process is there first once in a while. The kernel then dies, or its cli
 import tempfile
 import time
 import uuid
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import zmq
@@ -51,21 +51,19 @@ class Kernel:
         # What was printed for a cell that had ended; a page shows it below that cell.
         self.late = ''
 
-    def run(self, code: str, *, cell: str = '', interrupt_on: str = '',
-            answer: Callable[[], str] | None = None) -> str:
+    def run(self, code: str, *, cell: str = '', interrupt_on: str = '') -> str:
         """Run a cell; return its printed and shown text, with an error's name at the end.
 
         :param cell: Which one it is, as front ends say with each run, so that what it showed before goes.
         :param interrupt_on: Press "interrupt" when this text has been printed, and again while nothing comes of it: of
             1,500 times, ipykernel 7 lost one that came while print() was flushing, also without this package.
-        :param answer: Called when the cell asks with input(); returns what to type.
         :raises TimeoutError: the cell has not ended after DEADLINE_SEC.
         """
         text: list[str] = []
         waiting = bool(interrupt_on)
         self.client.session.metadata = {'cellId': cell} if cell else {}
         # By default, a cell that raises has the kernel drop what it gets within the next moment, on a busy machine too.
-        request = self.client.execute(code, allow_stdin=answer is not None, stop_on_error=False)
+        request = self.client.execute(code, allow_stdin=False, stop_on_error=False)
         for message in self._messages(request, text, interrupt_on):
             content = message['content']
             if message['msg_type'] == 'stream':
@@ -77,9 +75,6 @@ class Kernel:
                 text.append(content['data']['text/plain'])
             elif message['msg_type'] == 'error':
                 text.append(f'{content["ename"]}: {content["evalue"]}')
-            elif message['msg_type'] == 'input_request':
-                assert answer is not None
-                self.client.input(answer())
         return ''.join(text)
 
     def _messages(self, request: str, text: list[str], interrupt_on: str) -> Iterator[dict[str, Any]]:
