@@ -8,6 +8,7 @@ from param_tools.markup.styles import style
 from param_tools.panel.close_with_cell import close_with_cell
 from param_tools.panel.view import View
 from param_tutorial.views.drawing import svg
+from param_tutorial.views.drawing.diagram import Diagram
 
 _STYLE = svg.STYLE + style('param_tutorial/views/base.css')
 
@@ -27,18 +28,18 @@ class AnimatedView(View):
         """What the picture shows, in words, as a screen reader tells it."""
         return self._text
 
-    def _play(self, picture: svg.AnimatedPicture) -> None:
+    def _play(self, picture: Diagram) -> None:
         """Put a picture onto the page in the place of the one before."""
         self._text = picture.text
         self._count += 1
         # The animations of several pictures on one page need different names.
-        self._drawn.value = picture.html(svg.Animation(f'motion-{self.model_id[:8]}-{self._count}'))
+        self._drawn.value = picture.html(f'motion-{self.model_id[:8]}-{self._count}')
 
 
 class PictureView(AnimatedView):
     """A picture of what was measured before. It follows nothing, and plays anew when something is added to it."""
 
-    def __init__(self, picture: svg.AnimatedPicture, *below: widgets.Widget) -> None:
+    def __init__(self, picture: Diagram, *below: widgets.Widget) -> None:
         self._picture = picture
         super().__init__(*below)
         self._draw()
@@ -52,7 +53,7 @@ class PictureView(AnimatedView):
         """What the view is of; no node is asked."""
         return self._picture.subject
 
-    def _replace(self, picture: svg.AnimatedPicture) -> str:
+    def _replace(self, picture: Diagram) -> str:
         """Play another picture from now on, and return it in words."""
         self._picture = picture
         self._draw()

@@ -12,7 +12,7 @@ from param_tools.ros import stage
 from param_tools.ros.service_types import SERVICE_TYPES
 from param_tools.ros.services import TIMEOUT_SEC, full_name
 from param_tutorial.views.base import PictureView
-from param_tutorial.views.drawing.calls import Call, Calls, Line
+from param_tutorial.views.drawing.calls import Call, Line, draw_calls
 
 
 class CallsView(PictureView):
@@ -21,8 +21,8 @@ class CallsView(PictureView):
     def __init__(self, *, timeout_sec: float = TIMEOUT_SEC) -> None:
         """:param timeout_sec: How long a node may take to be found, and then to answer."""
         self._timeout_sec = timeout_sec
-        self._calls = Calls('this notebook')
-        super().__init__(self._calls)
+        self._calls: list[Call] = []
+        super().__init__(draw_calls(_NOTEBOOK, []))
 
     def call(self, node: str | Node, service: str, carries: Mapping[str, Any] | Iterable[str] = ()) -> None:
         """Call a parameter service once, and add what came of it; the picture plays anew with it.
@@ -55,10 +55,11 @@ class CallsView(PictureView):
             self._add(Call(name, service, told, tuple(_lines_of(answer, name, carries))))
 
     def _add(self, call: Call) -> None:
-        self._calls.add(call)
-        self._draw()
+        self._calls.append(call)
+        self._replace(draw_calls(_NOTEBOOK, self._calls))
 
 
+_NOTEBOOK = 'this notebook'
 _REQUEST_FIELDS = {'get_parameters': 'names', 'list_parameters': 'prefixes', 'set_parameters': 'parameters',
                    'set_parameters_atomically': 'parameters'}
 

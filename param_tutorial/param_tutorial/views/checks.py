@@ -8,7 +8,7 @@ from rclpy.node import Node
 from param_tools import values
 from param_tools.node.client import ParameterClient
 from param_tutorial.views.base import PictureView
-from param_tutorial.views.drawing.checks import Checks
+from param_tutorial.views.drawing.checks import draw_checks
 
 
 class ChecksView(PictureView):
@@ -25,5 +25,5 @@ class ChecksView(PictureView):
         :raises NodeNotFoundError: there is no such node.
         """
         client = node if isinstance(node, ParameterClient) else ParameterClient(node)
-        super().__init__(Checks(client.node, [
+        super().__init__(draw_checks(client.node, [
             (name, values.format_value(value), client.set_parameter(name, value).kind) for name, value in requests]))

@@ -4,6 +4,7 @@ from typing import Any
 
 from param_tools.node.client import ParameterClient
 from param_tools.ros.waiting import wait_until
+from param_tutorial.views.drawing.trail import Move
 from param_tutorial.views.trail import TrailView
 
 
@@ -19,11 +20,11 @@ class CopiesView(TrailView):
         """
         self._nodes, self._name, self._used = (copies, reads), name, used
         first, second = (f'/{node.get_name()}' for node in self._nodes)
-        self._copied = [(f'{first} variable', f'{first} {used}'), (f'{second} parameter', f'{second} {used}')]
-        self._set = [('', f'{first} parameter'), ('', f'{second} parameter')]
+        self._copied = [Move(f'{first} variable', f'{first} {used}'), Move(f'{second} parameter', f'{second} {used}')]
+        self._set = [Move('', f'{first} parameter'), Move('', f'{second} parameter')]
         super().__init__(name, [f'{first} parameter', f'{first} variable', f'{first} {used}', f'{second} parameter',
                                 f'{second} {used}'])
-        self.add('so far', self._values(), *self._copied)
+        self._add('so far', self._values(), *self._copied)
 
     def set_parameter(self, value: Any) -> None:
         """Set the parameter of both nodes, wait until the second uses the value, and add what there is then."""
@@ -31,7 +32,7 @@ class CopiesView(TrailView):
             ParameterClient(node).set_parameter(self._name, value).raise_for_reason()
         reads = self._nodes[1]
         wait_until(lambda: getattr(reads, self._used) == value, f'/{reads.get_name()} to use {value}')
-        self.add(f'set to {value}', self._values(), *self._set, *self._copied, note='the copy is stale')
+        self._add(f'set to {value}', self._values(), *self._set, *self._copied, note='the copy is stale')
 
     def _values(self) -> list[Any]:
         copies, reads = self._nodes

@@ -8,6 +8,7 @@ from rclpy.node import Node
 from param_tools import values
 from param_tools.node.client import ParameterClient
 from param_tools.node.declarations import record_declarations
+from param_tutorial.views.drawing.trail import Move
 from param_tutorial.views.trail import TrailView
 
 
@@ -29,14 +30,14 @@ class DeclarationsView(TrailView):
         super().__init__(self._client.node, (self._OUTSIDE, self._DECLARED, self._HAS))
         for each in declarations:
             moves = [] if each.value is None else [
-                (self._OUTSIDE if each.name in overrides else self._DECLARED, self._HAS)]
-            self.add(each.name, (_or_nothing(overrides.get(each.name)), _or_nothing(each.default),
+                Move(self._OUTSIDE if each.name in overrides else self._DECLARED, self._HAS)]
+            self._add(each.name, (_or_nothing(overrides.get(each.name)), _or_nothing(each.default),
                                  _or_nothing(each.value)), *moves,
                      note='an override' if each.name in overrides else '')
         declared = {each.name for each in declarations}
         for name in (each for each in overrides if each not in declared):
             asked = values.format_value(overrides[name])
-            self.add(name, (asked, ..., ...), (self._OUTSIDE, self._HAS, asked, 'ignored'),
+            self._add(name, (asked, ..., ...), Move(self._OUTSIDE, self._HAS, asked, 'ignored'),
                      note='an override, never declared')
 
     def set_parameter(self, name: str, value: Any) -> None:
@@ -47,9 +48,9 @@ class DeclarationsView(TrailView):
         result, asked = self._client.set_parameter(name, value), values.format_value(value)
         if result.successful:
             stored = values.format_value(self._client.get_parameter(name))
-            self.add(f'set {name}', (asked, ..., stored), (self._OUTSIDE, self._HAS))
+            self._add(f'set {name}', (asked, ..., stored), Move(self._OUTSIDE, self._HAS))
         else:
-            self.add(f'set {name}', (asked, ..., ...), (self._OUTSIDE, self._HAS, asked, 'rejected'),
+            self._add(f'set {name}', (asked, ..., ...), Move(self._OUTSIDE, self._HAS, asked, 'rejected'),
                      note=result.kind)
 
 

@@ -7,7 +7,8 @@ from rclpy.node import Node
 from param_tools import values
 from param_tools.node.client import ParameterClient
 from param_tutorial.views.base import PictureView
-from param_tutorial.views.drawing.ladder import Climb
+from param_tutorial.views.drawing.diagram import Diagram
+from param_tutorial.views.drawing.ladder import draw_ladder
 from param_tutorial.views.handle import Asking
 from param_tutorial.views.set_recorder import record_set
 
@@ -29,9 +30,9 @@ class LadderView(PictureView):
         self._name = name
         super().__init__(self._climb(node, value), Asking(self._ask, name=name, text=values.format_value(value)))
 
-    def _climb(self, node: str | Node | ParameterClient, value: Any) -> Climb:
+    def _climb(self, node: str | Node | ParameterClient, value: Any) -> Diagram:
         record = record_set(node, self._name, value)
-        return Climb(record.timeline.node, self._name, record.timeline.steps, record.objection)
+        return draw_ladder(record.timeline.node, self._name, record.timeline.steps, record.objection)
 
     def _ask(self, value: Any) -> str:
         self._replace(self._climb(self.node, value))

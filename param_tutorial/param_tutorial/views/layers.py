@@ -4,7 +4,8 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from param_tutorial.views.base import PictureView
-from param_tutorial.views.drawing.layers import Layers
+from param_tutorial.views.drawing.diagram import Diagram
+from param_tutorial.views.drawing.layers import draw_layers
 from param_tutorial.views.handle import Ordering
 
 Source = tuple[str, Any] | tuple[str, str, Any]
@@ -30,11 +31,11 @@ class LayersView(PictureView):
         """
         sources = list(sources)
         if start is None:
-            super().__init__(Layers(name, sources, has=has))
+            super().__init__(draw_layers(name, sources, has=has))
             return
         by_name = {source[0]: source for source in sources[1:]}
 
-        def started(order: Iterable[str]) -> Layers:
-            return Layers(name, [*sources[:1], *(by_name[each] for each in order)], has=start(*order))
+        def started(order: Iterable[str]) -> Diagram:
+            return draw_layers(name, [*sources[:1], *(by_name[each] for each in order)], has=start(*order))
 
         super().__init__(started(by_name), Ordering(lambda order: self._replace(started(order)), items=list(by_name)))

@@ -12,7 +12,8 @@ from param_tools.node.client import ParameterClient
 from param_tools.ros import stage
 from param_tools.ros.waiting import wait, wait_until
 from param_tutorial.views.base import PictureView
-from param_tutorial.views.drawing.messages import MessageTraffic
+from param_tutorial.views.drawing.diagram import Diagram
+from param_tutorial.views.drawing.messages import draw_messages
 from param_tutorial.views.events import EventRow, changes_in
 from param_tutorial.views.handle import Choosing
 from param_tutorial.views.listeners import POLICIES, arrivals, qos_words, subscribe_again, subscriptions
@@ -49,7 +50,7 @@ class MessageView(PictureView):
     def node(self) -> str:
         return self._result.node
 
-    def _ask_node(self) -> MessageTraffic:
+    def _ask_node(self) -> Diagram:
         """Ask the node for the value, and return what becomes of its message."""
         ros, sender = stage.current(), self._client.node
         heard: list[list[EventRow]] = []
@@ -77,7 +78,7 @@ class MessageView(PictureView):
         if told:
             listens |= {name: replace(listens[name], problem='it did not arrive') for name in hoped - arrived}
         self._choosing.things = {name: qos_words(each.qos_profile) for name, (_, each) in sorted(here.items())}
-        return MessageTraffic(tells, listens, sender if told else '', told, offers=offers)
+        return draw_messages(tells, listens, sender if told else '', told, offers=offers)
 
     def _subscribe_again(self, chosen: tuple[str, str, str]) -> str:
         name, policy, word = chosen

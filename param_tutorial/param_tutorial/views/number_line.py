@@ -14,8 +14,8 @@ from param_tools.node.live import LiveParameters
 from param_tools.panel.view import FollowingView, nothing
 from param_tools.ros.executor import BackgroundExecutor
 from param_tutorial.views.base import AnimatedView, name_of
-from param_tutorial.views.drawing import svg
-from param_tutorial.views.drawing.number_line import NumberLine, Request, Scale
+from param_tutorial.views.drawing.diagram import head
+from param_tutorial.views.drawing.number_line import Request, Scale, draw_number_line
 from param_tutorial.views.handle import Asking
 from param_tutorial.views.set_recorder import RecordedSet, follow_sets, record_set
 
@@ -102,7 +102,7 @@ class NumberLineView(AnimatedView, FollowingView):
     def _say(self, words: str) -> None:
         """Put a sentence in the place of the picture."""
         self._text = words
-        self._drawn.value = f'<div class="motion">{svg.head(self._subject, words)}</div>'
+        self._drawn.value = f'<div class="motion">{head(self._subject, words)}</div>'
 
     def _show(self) -> None:
         node, record = self._followed, self._latest
@@ -137,8 +137,8 @@ class NumberLineView(AnimatedView, FollowingView):
         scale = Scale.around(*(each for each in (stored, before, asked) if each is not None))
         if descriptor.range:
             scale = Scale(descriptor.range.from_value, descriptor.range.to_value, descriptor.range.step)
-        line = NumberLine(self._subject, self._name, scale, stored, before=before, request=request,
-                          is_locked=descriptor.read_only)
+        line = draw_number_line(self._subject, self._name, scale, stored, before=before, request=request,
+                                is_locked=descriptor.read_only)
         self._sentence = line.sentence
         self._play(line)
 

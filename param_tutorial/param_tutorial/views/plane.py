@@ -7,7 +7,7 @@ from rclpy.node import Node
 
 from param_tools.node.client import ParameterClient
 from param_tutorial.views.base import PictureView
-from param_tutorial.views.drawing.plane import Plane, Point
+from param_tutorial.views.drawing.plane import Point, Way, draw_plane
 
 
 class PlaneView(PictureView):
@@ -28,8 +28,8 @@ class PlaneView(PictureView):
         right, up = values.values()
         answers = {pair: self._ask(dict(zip(self._names, pair, strict=True))) for pair in itertools.product(right, up)}
         self._ask(dict(zip(self._names, before, strict=True)))
-        self._plane = Plane((self._names[0], self._names[1]), answers)
-        super().__init__(self._plane)
+        self._answers, self._ways = answers, list[Way]()
+        super().__init__(draw_plane(self._names, answers, []))
 
     def go(self, name: str, start: Mapping[str, float], *requests: Mapping[str, float]) -> None:
         """Bring the node to a pair, and send it requests; the picture plays the way that they go.
@@ -50,8 +50,8 @@ class PlaneView(PictureView):
             words = ', '.join(f'{each} = {value:g}' for each, value in request.items())
             steps.append((words, (wanted[0], wanted[1]), self._pair()))
         self._ask(dict(zip(self._names, before, strict=True)))
-        self._plane.add_way(name, begin, steps)
-        self._draw()
+        self._ways.append(Way(name, begin, steps))
+        self._replace(draw_plane(self._names, self._answers, self._ways))
 
     def _ask(self, request: Mapping[str, float]) -> bool:
         return all(result.successful for result in self._client.set_parameters_atomically(dict(request)))

@@ -10,12 +10,12 @@ from param_tools import values
 from param_tools.errors import InvalidValueError, ParameterNotDeclaredError
 from param_tools.node.client import ParameterClient, SetResult
 from param_tutorial.views.base import PictureView
-from param_tutorial.views.drawing.requests import Request, Requests
+from param_tutorial.views.drawing.requests import Request, Side, draw_requests
 from param_tutorial.views.handle import Ordering
 
 
 @dataclass
-class _Side:
+class _Way:
     """What it takes to send the requests of a side again."""
 
     title: str
@@ -24,7 +24,7 @@ class _Side:
     """What the node had at first."""
     pairs: list[tuple[str, Any]]
     is_one: bool
-    note: Callable[[], str] | None = None
+    note: Callable[[], str] = lambda: ''
 
     def bring_back(self) -> None:
         """Give the node what it had at first."""
@@ -32,14 +32,11 @@ class _Side:
         if changed := {name: value for name, value in self.before.items() if now.get(name) != value}:
             self.client.set_parameters_atomically(changed)
 
-    def send(self, requests: Requests) -> None:
-        """Send the requests, and add what came of them to a picture."""
+    def send(self) -> Side:
+        """Send the requests, and return what came of them."""
         told = _sent_as_one(self.client, dict(self.pairs)) if self.is_one \
             else [_sent(self.client, *pair) for pair in self.pairs]
-        before = {name: values.format_value(value) for name, value in self.before.items()}
-        requests.add(self.title, self.client.node, before, told, is_one=self.is_one)
-        if self.note is not None:
-            requests.conclude(self.note())
+        return Side(self.title, self.client.node, _formatted(self.before), told, is_one=self.is_one, note=self.note())
 
 
 class RequestsView(PictureView):
@@ -54,34 +51,29 @@ class RequestsView(PictureView):
 
         :param subject: What the picture is of; a parameter of that name is not named again in each request.
         """
-        self._requests = Requests(subject)
-        self._sides: list[_Side] = []
-        self._has_order = True
+        self._sides: list[Side] = []
+        self._ways: list[_Way] = []
         self._ordering = Ordering(self._send_again)
-        super().__init__(self._requests, self._ordering)
+        super().__init__(draw_requests(subject, []), self._ordering)
 
     def send(self, title: str, node: str | Node | ParameterClient,
              requests: Mapping[str, Any] | Iterable[tuple[str, Any]], *, atomically: bool = False) -> None:
         """Send requests to a node, and add a side with what came of them; the node keeps what it accepts.
 
+        There is room for two sides.
+
         :param title: Stands above the side.
         :param node: The node, or its name.
         :param requests: Names and values; of pairs, a name may be there more than once.
         :param atomically: Whether all go as one request, in which each name is there once.
-        :raises ValueError: there are two sides already.
         :raises InvalidValueError: no parameter can hold a value of an atomic request. A single request of that kind
             is shown as rejected.
         :raises NodeNotFoundError: there is no such node.
         """
-        self._requests.require_room()
         client = node if isinstance(node, ParameterClient) else ParameterClient(node)
         pairs = list(requests.items() if isinstance(requests, Mapping) else requests)
-        side = _Side(title, client, client.get_parameters(), pairs, atomically)
-        side.send(self._requests)
-        self._sides.append(side)
-        self._has_order &= len(dict(pairs)) == len(pairs)
-        self._draw()
-        self._offer_order()
+        self._ways.append(_Way(title, client, client.get_parameters(), pairs, atomically))
+        self._add(self._ways[-1].send())
 
     def add_lenient(self, title: str, node: str, has: Mapping[str, Any], requests: Iterable[tuple[str, Any]], *,
                     server: str) -> None:
@@ -92,15 +84,10 @@ class RequestsView(PictureView):
         :param has: What is kept at first.
         :param requests: Names and values.
         :param server: Who keeps the values for the node.
-        :raises ValueError: there are two sides already.
         """
         told = [Request(name, shown, shown) for name, shown in
                 ((name, values.format_value(value)) for name, value in requests)]
-        self._requests.add(title, node, {name: values.format_value(value) for name, value in has.items()}, told,
-                           server=server)
-        self._has_order = False
-        self._draw()
-        self._offer_order()
+        self._add(Side(title, node, _formatted(has), told, server=server))
 
     def conclude(self, note: str | Callable[[], str]) -> None:
         """Say below the last side what it comes to.
@@ -108,24 +95,35 @@ class RequestsView(PictureView):
         :param note: The words, or what returns them: it is asked again when the requests are sent again.
         """
         tell = note if callable(note) else lambda: note
-        self._requests.conclude(tell())
-        if self._sides:
-            self._sides[-1].note = tell
-        self._draw()
+        self._sides[-1].note = tell()
+        if self._ways:
+            self._ways[-1].note = tell
+        self._draw_sides()
 
-    def _offer_order(self) -> None:
-        names = dict.fromkeys(name for side in self._sides for name, _ in side.pairs)
-        self._ordering.items = list(names) if self._has_order else []
+    def _add(self, side: Side) -> None:
+        self._sides.append(side)
+        self._draw_sides()
+        has_order = len(self._ways) == len(self._sides) and all(len(dict(each.pairs)) == len(each.pairs)
+                                                                for each in self._ways)
+        names = dict.fromkeys(name for each in self._ways for name, _ in each.pairs)
+        self._ordering.items = list(names) if has_order else []
+
+    def _draw_sides(self) -> str:
+        return self._replace(draw_requests(self.node, self._sides))
 
     def _send_again(self, order: list[str]) -> str:
         """Send the requests of all sides in another order, each to a node that has what it had at first."""
-        requests = Requests(self._requests.subject)
-        for side in self._sides:
-            side.bring_back()
-            side.pairs.sort(key=lambda pair: order.index(pair[0]))
-            side.send(requests)
-        self._requests = requests
-        return self._replace(requests)
+        sides = []
+        for way in self._ways:
+            way.bring_back()
+            way.pairs.sort(key=lambda pair: order.index(pair[0]))
+            sides.append(way.send())
+        self._sides = sides
+        return self._draw_sides()
+
+
+def _formatted(has: Mapping[str, Any]) -> dict[str, str]:
+    return {name: values.format_value(value) for name, value in has.items()}
 
 
 def _sent(client: ParameterClient, name: str, value: Any) -> Request:

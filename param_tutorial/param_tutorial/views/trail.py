@@ -1,32 +1,29 @@
-"""TrailView: what some places hold, moment by moment."""
+"""What CopiesView and DeclarationsView share: places that hold values, moment by moment."""
 
 from collections.abc import Sequence
 from typing import Any
 
 from param_tutorial.views.base import PictureView
-from param_tutorial.views.drawing.trail import Trail
+from param_tutorial.views.drawing.trail import Moment, Move, draw_trail
 
 
 class TrailView(PictureView):
-    """Places that hold values, moment by moment, and what travels between them. Show it as the last line of a cell."""
+    """Places that hold values, moment by moment, and what travels between them."""
 
     def __init__(self, subject: str, places: Sequence[str]) -> None:
         """
-        :param subject: What the picture is of, e.g. a node's name or a file's.
-        :param places: Their names, from the left to the right; each stands in the heading of a column.
+        :param subject: What the picture is of.
+        :param places: Their names, from the left to the right.
         """
-        self._trail = Trail(subject, places)
-        super().__init__(self._trail)
+        self._places = places
+        self._moments: list[Moment] = []
+        super().__init__(draw_trail(subject, places, []))
 
-    def add(self, words: str, values: Sequence[Any], *moves: tuple[str, str] | tuple[str, str, Any, str],
-            note: str = '') -> None:
+    def _add(self, words: str, values: Sequence[Any], *moves: Move, note: str = '') -> None:
         """Add a moment; the picture plays anew with it.
 
-        :param words: What happens, e.g. ``'colcon build'``.
         :param values: What each place holds when it is over, as it was measured; ``...`` for nothing.
-        :param moves: What travels: from which place ('' for from outside) and to which. For what the second place
-            does not take, also the value, and why.
-        :param note: What is worth seeing in this moment.
         """
-        self._trail.add(words, values, *moves, note=note)
-        self._draw()
+        held = {place: str(value) for place, value in zip(self._places, values, strict=True) if value is not ...}
+        self._moments.append(Moment(words, note, held, moves))
+        self._replace(draw_trail(self.node, self._places, self._moments))

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from param_tutorial.views.base import PictureView
-from param_tutorial.views.drawing.worlds import Worlds
+from param_tutorial.views.drawing.worlds import World, draw_worlds
 
 
 class WorldsView(PictureView):
@@ -15,17 +15,17 @@ class WorldsView(PictureView):
 
         :param name: The parameter.
         """
-        self._worlds = Worlds(name)
-        super().__init__(self._worlds)
+        self._worlds: list[World] = []
+        super().__init__(draw_worlds(name, []))
 
     def add(self, title: str, values: Mapping[str, Any], *, killed: str, successor: Any, server: str = '') -> None:
-        """Add a world; the picture plays anew with it.
+        """Add a world, of which there is room for two; the picture plays anew with it.
 
         :param values: What each node has set the parameter to, as it was measured.
         :param killed: The node that is killed and started again.
         :param successor: What the new node of that name begins with.
         :param server: Who keeps the values of all nodes, which is then only one; empty if each node keeps its own.
-        :raises ValueError: there are two worlds already.
         """
-        self._worlds.add(title, values, killed=killed, successor=successor, server=server)
-        self._draw()
+        self._worlds.append(World(title, {node: str(value) for node, value in values.items()}, killed, str(successor),
+                                  server))
+        self._replace(draw_worlds(self.node, self._worlds))

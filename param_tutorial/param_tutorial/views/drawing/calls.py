@@ -4,10 +4,11 @@ Time goes down the picture. At rest every message lies where it has arrived, or 
 """
 
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from param_tutorial.views.drawing import svg
+from param_tutorial.views.drawing.diagram import Diagram
 
 _TOP, _BOTTOM, _GAP = 12, 18, 16
 _ASKER_X, _NODE_X, _BOX_WIDTH = 14, 536, 170
@@ -17,7 +18,7 @@ _CARD_LETTERS, _PROBLEM_LETTERS = 36, 46
 _MOST_LINES = 4
 # Where a message ends up that nobody takes, as a part of the lane that is left to it.
 _LOST = .62
-_BEGIN_SEC, _READ_SEC, _TRAVEL_SEC, _WORK_SEC, _STAY_SEC = 0.3, 0.5, 0.9, 0.4, 0.6
+_BEGIN_SEC, _READ_SEC, _WORK_SEC, _STAY_SEC = 0.3, 0.5, 0.4, 0.6
 
 
 @dataclass(frozen=True)
@@ -67,113 +68,83 @@ class Call:
         came = self.why or f'The answer carries {"; ".join(each.words for each in self.answer)}.'
         return f'The request {self.service} to {self.node} carries {carried}. {self.sentence} {came}'
 
-    @property
-    def height(self) -> float:
-        """How much room its row takes in the picture."""
-        request = _HEAD + _card_height(self.request) + _BETWEEN
-        if not self.problem:
-            return request + _card_height(self.answer) + 4
-        return request + _NO_ANSWER * self.is_delivered + _PROBLEM_LINE * len(textwrap.wrap(self.why, _PROBLEM_LETTERS))
+
+def draw_calls(asker: str, calls: Sequence[Call]) -> Diagram:
+    """Draw calls of one node, one after the other.
+
+    :param asker: The node that asks, or what stands for it.
+    """
+    diagram = Diagram(asker, calls[-1].sentence if calls else 'Nothing has been asked yet.',
+                      ' '.join([f'Service calls of {asker}.', *(call.text for call in calls)]),
+                      _TOP + _BOTTOM + max(40, sum(map(_height, calls)) + _GAP * (len(calls) - 1)))
+    diagram.add(svg.named_box(_ASKER_X, _TOP, _BOX_WIDTH, diagram.height - _TOP - _BOTTOM, asker, 'asks', 'box',
+                              rounding=8))
+    top, begin_sec = float(_TOP), _BEGIN_SEC
+    for call in calls:
+        begin_sec = _add_call(diagram, call, top, begin_sec) + _STAY_SEC
+        top += _height(call) + _GAP
+    return diagram
 
 
-class Calls(svg.AnimatedPicture):
-    """Calls of one node, one after the other."""
-
-    def __init__(self, asker: str, calls: Sequence[Call] = ()) -> None:
-        """
-        :param asker: The node that asks, or what stands for it.
-        :param calls: Those of the beginning.
-        """
-        self.subject = asker
-        self._calls = list(calls)
-
-    def add(self, call: Call) -> None:
-        self._calls.append(call)
-
-    @property
-    def sentence(self) -> str:
-        return self._calls[-1].sentence if self._calls else 'Nothing has been asked yet.'
-
-    @property
-    def text(self) -> str:
-        return ' '.join([f'Service calls of {self.subject}.', *(call.text for call in self._calls)])
-
-    @property
-    def _height(self) -> float:
-        return _TOP + _BOTTOM + max(40, sum(call.height + _GAP for call in self._calls) - _GAP)
-
-    def _parts(self, animation: svg.Animation) -> Iterator[str]:
-        yield svg.named_box(_ASKER_X, _TOP, _BOX_WIDTH, self._height - _TOP - _BOTTOM, self.subject, 'asks', 'box',
-                            rounding=8)
-        top, begin_sec = float(_TOP), _BEGIN_SEC
-        for call in self._calls:
-            yield from _row(call, top, begin_sec, animation)
-            top += call.height + _GAP
-            begin_sec += _READ_SEC + 2 * _TRAVEL_SEC + _WORK_SEC + _STAY_SEC
-
-
-def _row(call: Call, top: float, begin_sec: float, animation: svg.Animation) -> Iterator[str]:
+def _add_call(diagram: Diagram, call: Call, top: float, begin_sec: float) -> float:
+    """Add a call, and return when its answer has come."""
     note, kind = ('', 'blank') if call.is_delivered else ('not there', 'dashed')
-    yield svg.group([svg.words((_LANE_X + _LANE_END) / 2, top + 14, call.service, 'code'),
-                     svg.named_box(_NODE_X, top, _BOX_WIDTH, call.height, call.node, note, kind, rounding=8)],
-                    animation.appear(begin_sec))
-    leaves_sec, there_sec = begin_sec + _READ_SEC, begin_sec + _READ_SEC + _TRAVEL_SEC
+    diagram.show(begin_sec, svg.words((_LANE_X + _LANE_END) / 2, top + 14, call.service, 'code'),
+                 svg.named_box(_NODE_X, top, _BOX_WIDTH, _height(call), call.node, note, kind, rounding=8))
     request = [Line(each) for each in call.request] or [Line('(nothing)')]
-    yield from _journey(_Card(request), top + _HEAD, leaves_sec, animation, is_lost=not call.is_delivered)
-    y = top + _HEAD + _card_height(request) + _BETWEEN
+    there_sec = _add_card(diagram, request, top + _HEAD, begin_sec + _READ_SEC, is_lost=not call.is_delivered)
+    y, answers_sec = top + _HEAD + _card_height(request) + _BETWEEN, there_sec + _WORK_SEC
     if not call.problem:
-        yield from _journey(_Card(call.answer), y, there_sec + _WORK_SEC, animation, is_back=True)
-        return
-    problem = []
+        return _add_card(diagram, call.answer, y, answers_sec, is_back=True)
     if call.is_delivered:
-        problem += [svg.cross(_LANE_X + 14, y + 4), svg.words(_LANE_X + 30, y + 9, 'no answer', 'bold', anchor='start')]
+        diagram.show(answers_sec, svg.cross(_LANE_X + 14, y + 4),
+                     svg.words(_LANE_X + 30, y + 9, 'no answer', 'bold', anchor='start'))
         y += _NO_ANSWER
-    problem += [svg.words(_LANE_X + 6, y + 10 + _PROBLEM_LINE * number, line, 'small', anchor='start')
-                for number, line in enumerate(textwrap.wrap(call.why, _PROBLEM_LETTERS))]
-    yield svg.group(problem, animation.appear(there_sec + _WORK_SEC * call.is_delivered))
+    diagram.show(answers_sec, *(svg.words(_LANE_X + 6, y + 10 + _PROBLEM_LINE * number, line, 'small', anchor='start')
+                                for number, line in enumerate(textwrap.wrap(call.why, _PROBLEM_LETTERS))))
+    return answers_sec
 
 
-class _Card:
-    """A card with some lines; the last one says how much does not fit on it."""
-
-    def __init__(self, lines: Sequence[Line]) -> None:
-        kept = lines if len(lines) <= _MOST_LINES else lines[:_MOST_LINES - 1]
-        self._lines = [Line(svg.cut(line.words, _CARD_LETTERS), line.accepted) for line in kept]
-        if len(kept) < len(lines):
-            self._lines.append(Line(f'… and {len(lines) - len(kept)} more'))
-        self.is_bad = all(line.accepted is False for line in self._lines)
-        self.width = max(44.0, *(1.06 * svg.LETTER_WIDTH * len(line.words) + (20 if line.accepted is None else 38)
-                                 for line in self._lines))
-        self.height = _card_height(self._lines)
-
-    def drawn(self, kind: str) -> Iterator[str]:
-        """Yield the card, around 0, 0."""
-        yield svg.box(-self.width / 2, -self.height / 2, self.width, self.height, kind, rounding=8)
-        x = 10 - self.width / 2
-        for number, line in enumerate(self._lines):
-            y = _PAD + _LINE * (number + .5) - self.height / 2
-            if line.accepted is not None:
-                yield svg.check(x + 5, y, 5) if line.accepted else svg.cross(x + 5, y, 4.5)
-            yield svg.words(x if line.accepted is None else x + 18, y + 4.5, line.words, 'value', anchor='start')
-
-
-def _journey(card: _Card, top: float, leaves_sec: float, animation: svg.Animation, *, is_back: bool = False,
-             is_lost: bool = False) -> Iterator[str]:
-    """Yield a card that travels, and the road that it leaves behind.
+def _add_card(diagram: Diagram, lines: Sequence[Line], top: float, leaves_sec: float, *, is_back: bool = False,
+              is_lost: bool = False) -> float:
+    """Add a card with some lines that travels, and return when it arrives; the last line says what does not fit on it.
 
     :param is_back: Whether it travels to the left, to the node that has asked.
     :param is_lost: Whether it stops before it has arrived.
     """
-    half, y, there_sec = card.width / 2, top + card.height / 2, leaves_sec + _TRAVEL_SEC
-    ahead, begin, end = (-1, _LANE_END, _LANE_X) if is_back else (1, _LANE_X, _LANE_END)
+    kept = lines if len(lines) <= _MOST_LINES else lines[:_MOST_LINES - 1]
+    shown = [Line(svg.cut(line.words, _CARD_LETTERS), line.accepted) for line in kept]
+    if len(kept) < len(lines):
+        shown.append(Line(f'… and {len(lines) - len(kept)} more'))
+    is_bad = is_lost or all(line.accepted is False for line in shown)
+    half = max(44.0, *(1.06 * svg.LETTER_WIDTH * len(line.words) + (20 if line.accepted is None else 38)
+                       for line in shown)) / 2
+    height = _card_height(lines)
+    card = [svg.box(-half, -height / 2, 2 * half, height, 'token-bad' if is_bad else 'token', rounding=8)]
+    for number, line in enumerate(shown):
+        x, y = 10 - half, _PAD + _LINE * (number + .5) - height / 2
+        if line.accepted is not None:
+            card.append(svg.check(x + 5, y, 5) if line.accepted else svg.cross(x + 5, y, 4.5))
+            x += 18
+        card.append(svg.words(x, y + 4.5, line.words, 'value', anchor='start'))
+    y, ahead, begin, end = top + height / 2, 1, _LANE_X, _LANE_END
+    if is_back:
+        ahead, begin, end = -1, end, begin
     from_x, to_x = begin + ahead * half, end - ahead * (half + 6)
     if is_lost:
         to_x = from_x + (to_x - from_x) * _LOST
-        yield svg.group(svg.cross((to_x + half + end) / 2, y), animation.appear(there_sec))
-    if ahead * (to_x - begin) > half + 12:
-        yield svg.group(svg.arrow(begin, y, to_x - ahead * (half + 1), y), animation.appear(there_sec - .2))
-    yield svg.group(card.drawn('token-bad' if card.is_bad or is_lost else 'token'), animation.travel(
-        [(leaves_sec, from_x, y), (there_sec, to_x, y)], from_sec=leaves_sec - .1))
+    there_sec = diagram.journey(''.join(card), half, begin, from_x, to_x, y, leaves_sec)
+    if is_lost:
+        diagram.mark(False, (to_x + half + end) / 2, y, there_sec)
+    return there_sec
+
+
+def _height(call: Call) -> float:
+    """Return how much room a call takes in the picture."""
+    height = _HEAD + _card_height(call.request) + _BETWEEN
+    if not call.problem:
+        return height + _card_height(call.answer) + 4
+    return height + _NO_ANSWER * call.is_delivered + _PROBLEM_LINE * len(textwrap.wrap(call.why, _PROBLEM_LETTERS))
 
 
 def _card_height(lines: Sequence[object]) -> float:

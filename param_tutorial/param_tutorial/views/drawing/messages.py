@@ -1,11 +1,14 @@
 """A message on /parameter_events on its way: from the node that has changed, over the topic, to each that listens."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from param_tutorial.views.drawing import svg
+from param_tutorial.views.drawing.diagram import Diagram, Moving
 
-_BOX_WIDTH, _SENDER_BOX, _BOX, _ROW, _BOTTOM = 212, 38, 56, 64, 40
+_BOX_WIDTH, _SENDER_BOX, _BOX, _ROW, _TOP, _BOTTOM = 212, 38, 56, 64, 58, 40
+_SENDERS_X, _TOPIC_X, _TOPIC_WIDTH, _LISTENERS_X = 14, 296, 128, 494
+_SENDERS_EDGE, _TOPIC_EDGE = _SENDERS_X + _BOX_WIDTH, _TOPIC_X + _TOPIC_WIDTH
 _LEAVE_SEC, _TO_TOPIC_SEC, _AT_TOPIC_SEC, _TO_EARS_SEC = 0.3, 0.9, 0.4, 0.9
 _AT_SEC = _LEAVE_SEC + _TO_TOPIC_SEC
 _ON_SEC = _AT_SEC + _AT_TOPIC_SEC
@@ -22,160 +25,88 @@ class Listener:
     """Why it gets nothing; empty if messages reach it."""
 
 
-@dataclass(frozen=True)
-class _Layout:
-    """Where everything is: the nodes on both sides of the topic, or all of them beside it on a narrow page."""
+def draw_messages(tells: Sequence[str], listens: Mapping[str, Listener], sender: str = '', changes: Sequence[str] = (),
+                  *, offers: str = '') -> Diagram:
+    """Draw who publishes on /parameter_events and who subscribes to it; at rest each listener has the message.
 
-    senders: dict[str, float]
-    """Where the middle of each box is."""
-    listeners: dict[str, float]
-    senders_x: float
-    listeners_x: float
-    sender_edge: float
-    """Where messages leave a node."""
-    topic_x: float
-    topic_y: float
-    topic_width: float
-    topic_height: float
-    is_narrow: bool
+    :param tells: Nodes that publish.
+    :param listens: Nodes that subscribe.
+    :param sender: The node whose message travels; empty for none.
+    :param changes: What the message says, e.g. ``['changed speed = 2']``.
+    :param offers: The QoS that the publishers offer.
+    """
+    tells, listens = sorted({*tells, *([sender] if sender else [])}), dict(sorted(listens.items()))
+    height = max(len(tells), len(listens), 2) * _ROW
+    sentence = _sentence(listens, sender)
+    says = f' It says: {"; ".join(changes)}.' if sender else ''
+    diagram = Diagram('/parameter_events', sentence, f'{_text(tells, listens, offers)}. {sentence}{says}',
+                      _TOP + height + _BOTTOM)
+    topic_x, topic_y = _TOPIC_X + _TOPIC_WIDTH / 2, _TOP + height / 2
+    diagram.add(svg.box(_TOPIC_X, _TOP, _TOPIC_WIDTH, height, rounding=22),
+                svg.words(_SENDERS_X + _BOX_WIDTH / 2, 24, 'publish', 'bold'),
+                svg.words(_SENDERS_X + _BOX_WIDTH / 2, 42, f'they offer: {offers}' if offers else '', 'small'),
+                svg.words(_LISTENERS_X + _BOX_WIDTH / 2, 24, 'subscribe', 'bold'),
+                svg.words(topic_x, topic_y - 26, '/parameter_events', 'small'),
+                svg.words(topic_x, topic_y + 38, 'a topic', 'faint'))
+    senders = _column(tells, height)
+    for name, y in senders.items():
+        diagram.add(svg.arrow(_SENDERS_EDGE + 2, y, _TOPIC_X - 3, y, 'line' if name == sender else 'thin'),
+                    svg.named_box(_SENDERS_X, y - _SENDER_BOX / 2, _BOX_WIDTH, _SENDER_BOX, name,
+                                  kind='token' if name == sender else 'blank'))
+    for name, y in _column(listens, height).items():
+        _add_listener(diagram, name, listens[name], y, is_sent=bool(sender))
+    if not sender:
+        return diagram
+    told = svg.cut('; '.join(changes), 92)
+    y, there = senders[sender], (topic_x, topic_y)
+    diagram.add(svg.words(14, diagram.height - 13, f'the message: {told}', 'bold', anchor='start'),
+                Moving(_ENVELOPE, goes=True, stops=[
+                    (_LEAVE_SEC, _SENDERS_EDGE, y), (_LEAVE_SEC + .7 * _TO_TOPIC_SEC, _TOPIC_X, y),
+                    (_AT_SEC, *there), (_ON_SEC, *there)]))
+    for name, y in _column(listens, height).items():
+        if not listens[name].problem:
+            diagram.add(Moving(_ENVELOPE, from_sec=_ON_SEC, stops=[
+                (_ON_SEC, *there), (_ON_SEC + .4 * _TO_EARS_SEC, _TOPIC_EDGE, y),
+                (_ON_SEC + _TO_EARS_SEC, _LISTENERS_X - 4, y)]))
+    return diagram
 
-    @property
-    def topic_in(self) -> float:
-        """Where messages come into the topic."""
-        return self.topic_x + (self.topic_width if self.is_narrow else 0)
 
-    @property
-    def topic_out(self) -> float:
-        """Where messages leave the topic."""
-        return self.topic_x + self.topic_width
-
-    @property
-    def middle(self) -> tuple[float, float]:
-        return self.topic_x + self.topic_width / 2, self.topic_y + self.topic_height / 2
+def _sentence(listens: Mapping[str, Listener], sender: str) -> str:
+    if not sender:
+        return 'Nothing has changed yet.'
+    got = sum(not each.problem for each in listens.values())
+    return f'A message from {sender} goes to {got or "no"} listener{"" if got == 1 else "s"}.'
 
 
-class MessageTraffic(svg.AnimatedPicture):
-    """Who publishes on /parameter_events and who subscribes to it; at rest each listener has the message."""
+def _text(tells: Iterable[str], listens: Mapping[str, Listener], offers: str) -> str:
+    """Return in words who publishes and who subscribes."""
+    offer = f' (they offer {offers})' if offers else ''
+    asks = {name: f'{name} (asks for {each.asks})' for name, each in listens.items()}
+    reached = [asks[name] for name, each in listens.items() if not each.problem]
+    return '; '.join([
+        f'Publish on /parameter_events{offer}: {", ".join(tells) or "nobody"}',
+        f'subscribe to it: {", ".join(reached) or "nobody"}',
+        *(f'{asks[name]} subscribes and gets nothing: {each.problem}'
+          for name, each in listens.items() if each.problem)])
 
-    subject = '/parameter_events'
-    _has_narrow = True
 
-    def __init__(self, tells: Sequence[str], listens: Mapping[str, Listener], sender: str = '',
-                 changes: Sequence[str] = (), *, offers: str = '') -> None:
-        """
-        :param tells: Nodes that publish.
-        :param listens: Nodes that subscribe.
-        :param sender: The node whose message travels; empty for none.
-        :param changes: What the message says, e.g. ``['changed speed = 2']``.
-        :param offers: The QoS that the publishers offer.
-        """
-        self._offers = offers
-        self._sender, self._changes = sender, tuple(changes)
-        self._tells = sorted({*tells, *([sender] if sender else [])})
-        self._listens = dict(sorted(listens.items()))
-
-    @property
-    def sentence(self) -> str:
-        if not self._sender:
-            return 'Nothing has changed yet.'
-        got = sum(not each.problem for each in self._listens.values())
-        return f'A message from {self._sender} goes to {got or "no"} listener{"" if got == 1 else "s"}.'
-
-    @property
-    def text(self) -> str:
-        offer = f' (they offer {self._offers})' if self._offers else ''
-        asks = {name: f'{name} (asks for {each.asks})' for name, each in self._listens.items()}
-        reached = [asks[name] for name, each in self._listens.items() if not each.problem]
-        parts = [f'Publish on /parameter_events{offer}: {_joined(self._tells)}', f'subscribe to it: {_joined(reached)}']
-        parts += [f'{asks[name]} subscribes and gets nothing: {each.problem}'
-                  for name, each in self._listens.items() if each.problem]
-        says = f' It says: {"; ".join(self._changes)}.' if self._sender else ''
-        return f'{"; ".join(parts)}. {self.sentence}{says}'
-
-    @property
-    def _height(self) -> float:
-        layout = self._layout
-        return layout.topic_y + layout.topic_height + _BOTTOM
-
-    @property
-    def _layout(self) -> _Layout:
-        if self._is_narrow:
-            senders_y, row = 70, 46
-            listeners_y = senders_y + len(self._tells) * row + 32
-            foot = listeners_y + len(self._listens) * _ROW
-            return _Layout({name: senders_y + (number + .5) * row for number, name in enumerate(self._tells)},
-                           {name: listeners_y + (number + .5) * _ROW for number, name in enumerate(self._listens)},
-                           78, 78, 74, 12, 32, 30, foot - 32, is_narrow=True)
-        height = max(len(self._tells), len(self._listens), 2) * _ROW
-        return _Layout(_column(self._tells, height), _column(self._listens, height),
-                       14, 494, 14 + _BOX_WIDTH, 296, 58, 128, height, is_narrow=False)
-
-    def _parts(self, animation: svg.Animation) -> Iterator[str]:
-        layout = self._layout
-        yield from self._heads(layout)
-        for name, y in layout.senders.items():
-            sends, away = name == self._sender, -3 if not layout.is_narrow else 3
-            yield svg.arrow(layout.sender_edge - away - 1, y, layout.topic_in + away, y, 'line' if sends else 'thin')
-            yield svg.named_box(layout.senders_x, y - _SENDER_BOX / 2, _BOX_WIDTH, _SENDER_BOX, name,
-                                kind='token' if sends else 'blank')
-        for name, y in layout.listeners.items():
-            yield from self._listener(layout, name, y, animation)
-        if not self._sender:
-            return
-        told = svg.cut('; '.join(self._changes), 22 if layout.is_narrow else 92)
-        yield svg.words(14, self._height - 13, f'the message: {told}', 'bold', anchor='start')
-        sender_y, edge = layout.senders[self._sender], layout.sender_edge
-        yield svg.group(_ENVELOPE, animation.travel(
-            [(_LEAVE_SEC, edge, sender_y), (_LEAVE_SEC + .7 * _TO_TOPIC_SEC, layout.topic_in, sender_y),
-             (_AT_SEC, *layout.middle), (_ON_SEC, *layout.middle)], goes=True))
-        for name, y in layout.listeners.items():
-            if not self._listens[name].problem:
-                yield svg.group(_ENVELOPE, animation.travel(
-                    [(_ON_SEC, *layout.middle), (_ON_SEC + .4 * _TO_EARS_SEC, layout.topic_out, y),
-                     (_ON_SEC + _TO_EARS_SEC, layout.listeners_x - 4, y)], from_sec=_ON_SEC))
-
-    def _heads(self, layout: _Layout) -> Iterator[str]:
-        """Yield the topic, and the words above what is beside it."""
-        middle_x, middle_y = layout.middle
-        yield svg.box(layout.topic_x, layout.topic_y, layout.topic_width, layout.topic_height,
-                      rounding=min(22, layout.topic_width / 2))
-        offers = f'they offer: {self._offers}' if self._offers else ''
-        if layout.is_narrow:
-            yield svg.words(12, 20, 'the topic /parameter_events', 'small', anchor='start')
-            yield svg.words(layout.senders_x, 46, 'publish', 'bold', anchor='start')
-            yield svg.words(layout.senders_x, 62, offers, 'small', anchor='start')
-            above = min(layout.listeners.values(), default=0) - _ROW / 2 - 8
-            yield svg.words(layout.listeners_x, above, 'subscribe', 'bold', anchor='start')
-        else:
-            yield svg.words(layout.senders_x + _BOX_WIDTH / 2, 24, 'publish', 'bold')
-            yield svg.words(layout.senders_x + _BOX_WIDTH / 2, 42, offers, 'small')
-            yield svg.words(layout.listeners_x + _BOX_WIDTH / 2, 24, 'subscribe', 'bold')
-            yield svg.words(middle_x, middle_y - 26, '/parameter_events', 'small')
-            yield svg.words(middle_x, middle_y + 38, 'a topic', 'faint')
-
-    def _listener(self, layout: _Layout, name: str, y: float, animation: svg.Animation) -> Iterator[str]:
-        listener, left = self._listens[name], layout.listeners_x
-        begin, end, middle = layout.topic_out + 3, left - 4, left + _BOX_WIDTH / 2
-        if listener.problem:
-            yield svg.path(f'M{begin} {y}H{end}', 'dashed') + svg.cross(begin + (end - begin) / 3, y)
-        else:
-            yield svg.arrow(begin, y, end, y, 'line' if self._sender else 'thin')
-        yield svg.box(left, y - _BOX / 2, _BOX_WIDTH, _BOX, 'blank')
-        yield svg.words(middle, y - 11, svg.cut(name, int((_BOX_WIDTH - 8) / svg.CODE_WIDTH)), 'code')
-        yield svg.words(middle, y + 5, f'asks for: {listener.asks}', 'small')
-        if listener.problem:
-            yield svg.words(middle, y + 21, f'gets nothing: {listener.problem}', 'small')
-        elif self._sender:
-            yield svg.group([svg.check(middle - 23, y + 16, 4.5),
-                             svg.words(middle - 12, y + 21, 'gets it', 'small', anchor='start')],
-                            animation.appear(_ON_SEC + _TO_EARS_SEC))
+def _add_listener(diagram: Diagram, name: str, listener: Listener, y: float, *, is_sent: bool) -> None:
+    begin, end, middle = _TOPIC_EDGE + 3, _LISTENERS_X - 4, _LISTENERS_X + _BOX_WIDTH / 2
+    if listener.problem:
+        diagram.add(svg.path(f'M{begin} {y}H{end}', 'dashed'), svg.cross(begin + (end - begin) / 3, y))
+    else:
+        diagram.add(svg.arrow(begin, y, end, y, 'line' if is_sent else 'thin'))
+    diagram.add(svg.box(_LISTENERS_X, y - _BOX / 2, _BOX_WIDTH, _BOX, 'blank'),
+                svg.words(middle, y - 11, svg.cut(name, int((_BOX_WIDTH - 8) / svg.CODE_WIDTH)), 'code'),
+                svg.words(middle, y + 5, f'asks for: {listener.asks}', 'small'))
+    if listener.problem:
+        diagram.add(svg.words(middle, y + 21, f'gets nothing: {listener.problem}', 'small'))
+    elif is_sent:
+        diagram.show(_ON_SEC + _TO_EARS_SEC, svg.check(middle - 23, y + 16, 4.5),
+                     svg.words(middle - 12, y + 21, 'gets it', 'small', anchor='start'))
 
 
 def _column(names: Iterable[str], height: float) -> dict[str, float]:
     """Return where the middle of each node's box is; fewer boxes than rows stand in the middle."""
     names = list(names)
-    return {name: 58 + height / 2 + (number + .5 - len(names) / 2) * _ROW for number, name in enumerate(names)}
-
-
-def _joined(names: Iterable[str]) -> str:
-    return ', '.join(names) or 'nobody'
+    return {name: _TOP + height / 2 + (number + .5 - len(names) / 2) * _ROW for number, name in enumerate(names)}

@@ -1,14 +1,16 @@
 """The same requests beside each other, sent in two ways or in two worlds: what is kept, and what comes back."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from param_tutorial.views.drawing import svg
+from param_tutorial.views.drawing.diagram import TRAVEL_SEC, WIDTH, Diagram, Moving, Seen
 
 _TITLE, _KEEPER_HEAD, _ROW, _NODE, _NOTE, _BOTTOM = 34, 30, 42, 62, 32, 12
-_MARGIN, _MIDDLE_GAP = 14, 20
-_MOST_SIDES = 2
-_BEGIN_SEC, _TRAVEL_SEC, _STAY_SEC = 0.6, 0.8, 0.6
+_MARGIN, _MIDDLE_GAP, _ASKED, _MARK, _KEEPER = 14, 20, 168, 26, 142
+_SIDE = _ASKED + _MARK + _KEEPER
+_ASKED_LETTERS, _KEPT_LETTERS, _OBJECTION_LETTERS, _NOTE_LETTERS = 19, 16, 22, 44
+_BEGIN_SEC, _STAY_SEC = 0.6, 0.6
 
 
 @dataclass(frozen=True)
@@ -23,21 +25,22 @@ class Request:
     objection: str = ''
     """Why it was rejected; empty if it was accepted."""
 
-    @property
-    def kind(self) -> str:
-        """What its token looks like after the answer."""
-        return 'token-bad' if self.objection else 'token'
-
 
 @dataclass
-class _Side:
+class Side:
+    """Requests that are sent in one way, or in one world."""
+
     title: str
     node: str
     before: Mapping[str, str]
+    """What was kept at first, by name; also of what is not asked for on this side."""
     requests: Sequence[Request]
-    server: str
-    is_one: bool
+    server: str = ''
+    """Who keeps the values for the node; empty if it keeps them itself."""
+    is_one: bool = False
+    """Whether all requests travel as one."""
     note: str = ''
+    """What it comes to."""
 
     @property
     def keys(self) -> list[tuple[str, int]]:
@@ -47,10 +50,12 @@ class _Side:
 
     @property
     def keeper(self) -> str:
+        """Who keeps the values."""
         return self.server or self.node
 
     @property
     def text(self) -> str:
+        """The side in words."""
         told = [f'{each.name} = {each.value} is ' + (f'rejected ({each.objection})' if each.objection else 'accepted')
                 + f', and {self.keeper} keeps {each.kept}' for each in self.requests]
         if self.server:
@@ -61,180 +66,101 @@ class _Side:
     def arrival_sec(self, number: int) -> float:
         """Return when a request has come to its keeper."""
         before = 0 if self.is_one else number
-        return _BEGIN_SEC + before * (_TRAVEL_SEC + _STAY_SEC) + _TRAVEL_SEC
+        return _BEGIN_SEC + before * (TRAVEL_SEC + _STAY_SEC) + TRAVEL_SEC
 
 
-@dataclass(frozen=True)
-class _Widths:
-    """How wide the parts of a side are, and how many letters go into them."""
+def draw_requests(subject: str, sides: Sequence[Side]) -> Diagram:
+    """Draw requests, sent in one way or two; at rest each row shows one, its answer, and what was kept afterwards.
 
-    asked: float
-    mark: float
-    keeper: float
-    asked_letters: int
-    kept_letters: int
-    objection_letters: int
-    note_letters: int
-
-    @property
-    def side(self) -> float:
-        return self.asked + self.mark + self.keeper
-
-
-_WIDE, _NARROW = _Widths(168, 26, 142, 19, 16, 22, 44), _Widths(140, 24, 108, 15, 12, 17, 34)
-
-
-class Requests(svg.AnimatedPicture):
-    """Requests, sent in one way or two; at rest each row shows a request, its answer, and what was kept afterwards.
-
-    RequestsView explains the arguments.
+    :param subject: What the picture is of; a parameter of that name is not named again in each request.
     """
-
-    _has_narrow = True
-
-    def __init__(self, subject: str) -> None:
-        self.subject = subject
-        self._sides: list[_Side] = []
-
-    def add(self, title: str, node: str, before: Mapping[str, str], requests: Sequence[Request], *, server: str = '',
-            is_one: bool = False) -> None:
-        """Add a side.
-
-        :param before: What was kept at first, by name; also of what is not asked for on this side.
-        :raises ValueError: there are two sides already.
-        """
-        self.require_room()
-        self._sides.append(_Side(title, node, before, requests, server, is_one))
-
-    def require_room(self) -> None:
-        """Raise ValueError if there is no room for another side."""
-        if len(self._sides) == _MOST_SIDES:
-            raise ValueError(f'there is room for {_MOST_SIDES} sides')
-
-    def conclude(self, note: str) -> None:
-        """Say below the last side what it comes to."""
-        self._sides[-1].note = note
-
-    @property
-    def sentence(self) -> str:
-        told = [f'{side.title}: {sum(not each.objection for each in side.requests)} of {len(side.requests)} accepted'
-                for side in self._sides]
-        return f'{"; ".join(told)}.' if told else 'Nothing has been sent yet.'
-
-    @property
-    def text(self) -> str:
-        return ' '.join([f'{self.subject}.', *(side.text for side in self._sides)])
-
-    @property
-    def _widths(self) -> _Widths:
-        return _NARROW if self._is_narrow else _WIDE
-
-    def _beside(self, side: _Side) -> list[_Side]:
-        """Return the sides whose rows stand beside those of a side: on a narrow page, sides are below each other."""
-        return [side] if self._is_narrow else self._sides
-
-    def _rows(self, side: _Side) -> dict[tuple[str, int], float]:
-        """Return where the middle of each row is, which is the same on both sides."""
-        keys = dict.fromkeys(key for each in self._beside(side) for key in each.keys)
-        return {key: _TITLE + _KEEPER_HEAD + (number + .5) * _ROW for number, key in enumerate(keys)}
-
-    def _keeper_foot(self, side: _Side) -> float:
-        return _TITLE + _KEEPER_HEAD + len(self._rows(side)) * _ROW
-
-    def _foot(self, side: _Side) -> float:
-        """Return where the boxes end, also that of a node below its server."""
-        return self._keeper_foot(side) + (_NODE if any(each.server for each in self._beside(side)) else 0)
-
-    def _side_height(self, side: _Side) -> float:
-        return self._foot(side) + (_NOTE if any(each.note for each in self._beside(side)) else _BOTTOM)
-
-    @property
-    def _height(self) -> float:
-        heights = [self._side_height(side) for side in self._sides] or [_TITLE + _KEEPER_HEAD + _BOTTOM]
-        return sum(heights) if self._is_narrow else max(heights)
-
-    def _parts(self, animation: svg.Animation) -> Iterator[str]:
-        x = y = 0.0
-        for number, side in enumerate(self._sides):
-            if number:
-                yield svg.path(f'M8 {y}H{self._width - 8}' if self._is_narrow else
-                               f'M{self._width / 2} 8V{self._height - 8}', 'thin')
-            yield svg.group(self._side(side, _MARGIN + x, animation), f' transform="translate(0 {y})"' if y else '')
-            if self._is_narrow:
-                y += self._side_height(side)
-            else:
-                x += self._widths.side + _MIDDLE_GAP
-
-    def _side(self, side: _Side, left: float, animation: svg.Animation) -> Iterator[str]:
-        widths, foot = self._widths, self._keeper_foot(side)
-        x, middle = left + widths.asked + widths.mark, left + widths.side - widths.keeper / 2
+    told = [f'{side.title}: {sum(not each.objection for each in side.requests)} of {len(side.requests)} accepted'
+            for side in sides]
+    # A parameter has the same row on both sides.
+    keys = dict.fromkeys(key for side in sides for key in side.keys)
+    rows = {key: _TITLE + _KEEPER_HEAD + (number + .5) * _ROW for number, key in enumerate(keys)}
+    foot = _TITLE + _KEEPER_HEAD + len(rows) * _ROW
+    all_foot = foot + (_NODE if any(side.server for side in sides) else 0)
+    diagram = Diagram(subject, f'{"; ".join(told)}.' if told else 'Nothing has been sent yet.',
+                      ' '.join([f'{subject}.', *(side.text for side in sides)]),
+                      all_foot + (_NOTE if any(side.note for side in sides) else _BOTTOM))
+    for number, side in enumerate(sides):
+        left = _MARGIN + number * (_SIDE + _MIDDLE_GAP)
+        diagram.add(svg.words(left, 22, side.title, 'big', anchor='start'),
+                    svg.box(left + _ASKED + _MARK, _TITLE, _KEEPER, (foot if side.server else all_foot) - _TITLE),
+                    svg.words(left + _SIDE - _KEEPER / 2, _TITLE + 20,
+                              f'{svg.cut(side.keeper, _KEPT_LETTERS - 2)} keeps', 'bold'))
+        _add_requests(diagram, side, left, rows)
         end_sec = side.arrival_sec(len(side.requests) - 1) + _STAY_SEC
-        yield svg.words(left, 22, side.title, 'big', anchor='start')
-        yield svg.box(x, _TITLE, widths.keeper, (foot if side.server else self._foot(side)) - _TITLE)
-        yield svg.words(middle, _TITLE + 20, f'{svg.cut(side.keeper, widths.kept_letters - 2)} keeps', 'bold')
-        for number in range(len(side.requests)):
-            yield from self._row(side, number, left, middle, animation)
-        yield from self._journeys(side, left, animation)
-        for (name, repeats), y in self._rows(side).items():
-            if (name, repeats) not in side.keys and not repeats and name in side.before:
-                yield svg.words(middle, y + 1, svg.cut(side.before[name], widths.kept_letters), 'faint')
         if side.server:
-            gets = f'gets {svg.cut(side.requests[-1].kept, widths.kept_letters)}'
-            yield svg.group([svg.arrow(middle, foot + 1, middle, foot + 19),
-                             svg.box(x, foot + 20, widths.keeper, _NODE - 22, 'blank'),
-                             svg.words(middle, foot + 37, svg.cut(side.node, widths.kept_letters), 'bold'),
-                             svg.words(middle, foot + 53, gets)], animation.appear(end_sec - _STAY_SEC / 2))
+            _add_node(diagram, side, left, foot, end_sec - _STAY_SEC / 2)
         if side.note:
-            yield svg.words(left, self._foot(side) + 22, svg.cut(side.note, widths.note_letters), 'bold',
-                            anchor='start', style=animation.appear(end_sec))
+            diagram.show(end_sec, svg.words(left, all_foot + 22, svg.cut(side.note, _NOTE_LETTERS), 'bold',
+                                            anchor='start'))
+    if len(sides) > 1:
+        diagram.add(svg.path(f'M{WIDTH / 2} 8V{diagram.height - 8}', 'thin'))
+    return diagram
 
-    def _row(self, side: _Side, number: int, left: float, middle: float, animation: svg.Animation) -> Iterator[str]:
-        widths = self._widths
-        request, y, there_sec = side.requests[number], self._rows(side)[side.keys[number]], side.arrival_sec(number)
-        answered, here = animation.appear(there_sec), animation.travel([(0.0, left + widths.asked / 2, y)])
-        asked = svg.group(self._token(request, 'token'), animation.shown(0, there_sec if request.objection else None))
-        if request.objection:
-            asked += svg.group(self._token(request, 'token-bad'), animation.shown(there_sec))
-        yield svg.group(asked, here)
-        x = left + widths.asked + widths.mark / 2
-        yield svg.group(svg.cross(x, y) if request.objection else svg.check(x, y, 7), answered)
-        before = side.before.get(request.name, '') if side.keys[number][1] == 0 else ''
-        kept = svg.cut(request.kept, widths.kept_letters)
-        is_new = before != request.kept
-        if before and is_new:
-            yield svg.words(middle, y + 1, svg.cut(before, widths.kept_letters), 'code',
-                            style=animation.shown(0, there_sec))
-        yield svg.words(middle, y + 1, kept, 'code', style=animation.shown(there_sec if is_new else 0))
-        if request.objection:
-            yield svg.words(middle, y + 16, svg.cut(request.objection, widths.objection_letters), 'small',
-                            style=answered)
-        later = [other for other, each in enumerate(side.requests)
-                 if other > number and each.name == request.name and each.kept != request.kept]
-        if later:
-            # What was kept here is gone.
-            yield svg.strike(middle, y - 3.5, kept, animation.appear(side.arrival_sec(later[0])))
 
-    def _journeys(self, side: _Side, left: float, animation: svg.Animation) -> Iterator[str]:
-        """Yield what travels to the keeper: each request by itself, or all of them in one frame."""
-        widths, numbers = self._widths, range(len(side.requests))
-        for together in ([numbers] if side.is_one else [[number] for number in numbers]):
-            heights = [self._rows(side)[side.keys[number]] for number in together]
-            tokens = [svg.group(self._token(side.requests[number], side.requests[number].kind),
-                                animation.travel([(0.0, 0.0, y)])) for number, y in zip(together, heights)]
-            if side.is_one:
-                frame = f'{min(heights) - 19}h{widths.asked}V{max(heights) + 19}h{-widths.asked}z'
-                tokens.insert(0, svg.path(f'M{-widths.asked / 2} {frame}', 'dashed'))
-                yield svg.path(f'M{left} {frame}', 'dashed')
-            from_x, there_sec = left + widths.asked / 2, side.arrival_sec(together[-1])
-            leaves_sec = there_sec - _TRAVEL_SEC
-            if any(side.requests[number].objection for number in together):
-                stops = [(leaves_sec + .6 * _TRAVEL_SEC, from_x + widths.mark, 0.0), (there_sec, from_x, 0.0)]
-            else:
-                stops = [(there_sec, from_x + widths.asked / 2 + widths.mark, 0.0)]
-            yield svg.group(tokens, animation.travel([(leaves_sec, from_x, 0.0), *stops], from_sec=leaves_sec - .05,
-                                                     goes=True))
+def _add_node(diagram: Diagram, side: Side, left: float, foot: float, from_sec: float) -> None:
+    """Add the node below its server, with what it gets from there."""
+    middle = left + _SIDE - _KEEPER / 2
+    diagram.show(from_sec, svg.arrow(middle, foot + 1, middle, foot + 19),
+                 svg.box(middle - _KEEPER / 2, foot + 20, _KEEPER, _NODE - 22, 'blank'),
+                 svg.words(middle, foot + 37, svg.cut(side.node, _KEPT_LETTERS), 'bold'),
+                 svg.words(middle, foot + 53, f'gets {svg.cut(side.requests[-1].kept, _KEPT_LETTERS)}'))
 
-    def _token(self, request: Request, kind: str) -> str:
+
+def _add_requests(diagram: Diagram, side: Side, left: float, rows: Mapping[tuple[str, int], float]) -> None:
+    """Add the requests of a side: where they stand, what travels to the keeper, and what is kept."""
+    x, middle = left + _ASKED / 2, left + _SIDE - _KEEPER / 2
+    heights = [rows[key] for key in side.keys]
+    tokens = []
+    for number, (request, y) in enumerate(zip(side.requests, heights, strict=True)):
         # The heading has the name already.
-        words = request.value if request.name == self.subject else f'{request.name} = {request.value}'
-        return svg.token(svg.cut(words, self._widths.asked_letters), kind)
+        words = request.value if request.name == diagram.subject else f'{request.name} = {request.value}'
+        token, bad = (svg.token(svg.cut(words, _ASKED_LETTERS), kind) for kind in ('token', 'token-bad'))
+        there_sec = side.arrival_sec(number)
+        faces = [Seen(token, 0, there_sec), Seen(bad, there_sec)] if request.objection else token
+        diagram.add(Moving(faces, [(0.0, x, y)]))
+        diagram.mark(not request.objection, x + (_ASKED + _MARK) / 2, y, there_sec)
+        _add_kept(diagram, side, number, middle, y)
+        tokens.append(Moving(bad if request.objection else token, [(0.0, 0.0, y)]))
+    for (name, repeats), y in rows.items():
+        if (name, repeats) not in side.keys and not repeats and name in side.before:
+            diagram.add(svg.words(middle, y + 1, svg.cut(side.before[name], _KEPT_LETTERS), 'faint'))
+    if side.is_one:
+        frame = f'{min(heights) - 19}h{_ASKED}V{max(heights) + 19}h{-_ASKED}z'
+        diagram.add(svg.path(f'M{left} {frame}', 'dashed'))
+        _add_journey(diagram, [svg.path(f'M{-_ASKED / 2} {frame}', 'dashed'), *tokens], x, side.arrival_sec(0),
+                     is_rejected=any(each.objection for each in side.requests))
+        return
+    for number, request in enumerate(side.requests):
+        _add_journey(diagram, [tokens[number]], x, side.arrival_sec(number), is_rejected=bool(request.objection))
+
+
+def _add_kept(diagram: Diagram, side: Side, number: int, x: float, y: float) -> None:
+    """Add what is kept before a request and after it."""
+    request, there_sec = side.requests[number], side.arrival_sec(number)
+    before = side.before.get(request.name, '') if side.keys[number][1] == 0 else ''
+    kept, is_new = svg.cut(request.kept, _KEPT_LETTERS), before != request.kept
+    if before and is_new:
+        diagram.show(0, svg.words(x, y + 1, svg.cut(before, _KEPT_LETTERS), 'code'), to_sec=there_sec)
+    diagram.show(there_sec if is_new else 0, svg.words(x, y + 1, kept, 'code'))
+    if request.objection:
+        diagram.show(there_sec, svg.words(x, y + 16, svg.cut(request.objection, _OBJECTION_LETTERS), 'small'))
+    later = [other for other, each in enumerate(side.requests)
+             if other > number and each.name == request.name and each.kept != request.kept]
+    if later:
+        # What was kept here is gone.
+        diagram.show(side.arrival_sec(later[0]), svg.strike(x, y - 3.5, kept))
+
+
+def _add_journey(diagram: Diagram, parts: Sequence[str | Moving], x: float, there_sec: float, *,
+                 is_rejected: bool) -> None:
+    """Add what travels to the keeper and goes into it, or comes back."""
+    leaves_sec = there_sec - TRAVEL_SEC
+    stops = [(there_sec, x + _ASKED / 2 + _MARK, 0.0)]
+    if is_rejected:
+        stops = [(leaves_sec + .6 * TRAVEL_SEC, x + _MARK, 0.0), (there_sec, x, 0.0)]
+    diagram.add(Moving(parts, [(leaves_sec, x, 0.0), *stops], from_sec=leaves_sec - .05, goes=True))

@@ -5,18 +5,16 @@ Time goes down the picture. So the last moment shows all that went before, also 
 """
 
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from param_tutorial.views.drawing import svg
+from param_tutorial.views.drawing.diagram import TRAVEL_SEC, WIDTH, Diagram, Moving
 
 _HEAD, _ROW, _BOTTOM = 50, 48, 8
 _WORDS_X, _COLUMNS_X, _GAP, _MARGIN = 14, 192, 8, 14
-# Where a value comes from that comes from the left of all places.
-_OUTSIDE_X = _COLUMNS_X - 30
 _WORDS_LETTERS, _NOTE_LETTERS = 20, 28
-_BEGIN_SEC, _READ_SEC, _TRAVEL_SEC, _STAY_SEC = 0.3, 0.6, 0.8, 0.7
+_BEGIN_SEC, _READ_SEC, _STAY_SEC = 0.3, 0.6, 0.7
 # How high a road goes over the places that it does not touch.
 _ARC = 18
 # How wide a letter of the headings is.
@@ -24,146 +22,136 @@ _HEAD_LETTER = 9.0
 
 
 @dataclass(frozen=True)
-class _Move:
+class Move:
     """What travels in a moment."""
 
     source: str
     """The place that it comes from; empty for from outside."""
     target: str
-    value: str
-    """What arrives, or would have."""
+    rejected: str = ''
+    """The value that the target does not take; empty if it takes what it holds afterwards."""
     objection: str = ''
-    """Why the target does not take it; empty if it does."""
+    """Why the target does not take it."""
 
 
 @dataclass(frozen=True)
-class _Moment:
+class Moment:
+    """What some places hold at one time, and how it got there."""
+
     words: str
+    """What happens, e.g. ``'colcon build'``."""
     note: str
-    values: dict[str, str]
+    """What is worth seeing in this moment."""
+    values: Mapping[str, str]
     """By place, when the moment is over; a place without a value is not in it."""
-    moves: tuple[_Move, ...]
+    moves: Sequence[Move]
 
     @property
     def text(self) -> str:
+        """The moment in words."""
         parts = [f'{name} {value}' for name, value in self.values.items()]
-        told = [f'{move.value} {"bounces off" if move.objection else "arrives at"} {move.target}'
-                + (f' ({move.objection})' if move.objection else '') for move in self.moves]
+        told = [f'{move.rejected} bounces off {move.target} ({move.objection})' if move.rejected
+                else f'{self.values[move.target]} arrives at {move.target}' for move in self.moves]
         return f'{self.words}: ' + '; '.join(filter(None, [', '.join(told), ', '.join(parts), self.note]))
 
 
-class Trail(svg.AnimatedPicture):
-    """What some places hold; at rest all moments stand below each other. TrailView explains the arguments."""
+def draw_trail(subject: str, places: Sequence[str], moments: Sequence[Moment]) -> Diagram:
+    """Draw what some places hold; at rest all moments stand below each other.
 
-    def __init__(self, subject: str, places: Sequence[str]) -> None:
-        self.subject, self._places = subject, tuple(places)
-        self._moments: list[_Moment] = []
-        self._column_width = (self._width - _COLUMNS_X - _MARGIN + _GAP) / len(places) - _GAP
-        # How long a value may be.
-        self._letters = max(4, int((self._column_width - 28) / svg.LETTER_WIDTH))
+    :param subject: What the picture is of, e.g. a node's name or a file's.
+    :param places: Their names, from the left to the right; each stands in the heading of a column.
+    """
+    notes = [f'{moment.words}: {moment.note}.' for moment in moments if moment.note]
+    diagram = Diagram(subject, notes[-1] if notes else f'{len(moments)} moments.',
+                      f'{subject}, moment by moment. ' + ' '.join(f'{moment.text}.' for moment in moments),
+                      _HEAD + len(moments) * _ROW + _BOTTOM)
+    columns = _Columns(places)
+    for place in places:
+        lines = textwrap.wrap(place, max(6, int(columns.width / _HEAD_LETTER)))[:2]
+        diagram.add(svg.box(columns.x(place) - columns.width / 2, 4, columns.width, diagram.height - 8, rounding=8),
+                    svg.paragraph(columns.x(place), 29, lines, 'bold'))
+    begin_sec, y = _BEGIN_SEC, _HEAD + _ROW / 2
+    for moment in moments:
+        if y > _HEAD + _ROW:
+            diagram.show(begin_sec, svg.path(f'M{_WORDS_X} {y - _ROW / 2}H{WIDTH - _MARGIN}', 'thin'))
+        _add_moment(diagram, columns, y, moment, begin_sec)
+        begin_sec += _READ_SEC + (TRAVEL_SEC if moment.moves else 0.0) + _STAY_SEC
+        y += _ROW
+    return diagram
 
-    def add(self, words: str, values: Sequence[Any], *moves: tuple[str, str] | tuple[str, str, Any, str],
-            note: str = '') -> None:
-        held = {place: _told(value) for place, value in zip(self._places, values, strict=True) if value is not ...}
-        self._moments.append(_Moment(words, note, held, tuple(self._move(held, *move) for move in moves)))
 
-    def _move(self, held: dict[str, str], source: str, target: str, value: Any = ..., objection: str = '') -> _Move:
-        return _Move(source, target, held[target] if value is ... else _told(value), objection)
+class _Columns:
+    """Where the places stand."""
 
-    @property
-    def sentence(self) -> str:
-        """What it comes to: the last note, or how many moments there are."""
-        notes = [f'{moment.words}: {moment.note}.' for moment in self._moments if moment.note]
-        return notes[-1] if notes else f'{len(self._moments)} moments.'
+    def __init__(self, places: Sequence[str]) -> None:
+        self._places = list(places)
+        self.width = (WIDTH - _COLUMNS_X - _MARGIN + _GAP) / len(places) - _GAP
 
-    @property
-    def text(self) -> str:
-        return f'{self.subject}, moment by moment. ' + ' '.join(f'{moment.text}.' for moment in self._moments)
-
-    @property
-    def _height(self) -> float:
-        return _HEAD + len(self._moments) * _ROW + _BOTTOM
-
-    def _parts(self, animation: svg.Animation) -> Iterator[str]:
-        for place in self._places:
-            x = self._x(place)
-            yield svg.box(x - self._column_width / 2, 4, self._column_width, self._height - 8, rounding=8)
-            lines = textwrap.wrap(place, max(6, int(self._column_width / _HEAD_LETTER)))[:2]
-            yield svg.paragraph(x, 29, lines, 'bold')
-        begin_sec, y = _BEGIN_SEC, _HEAD + _ROW / 2
-        for moment in self._moments:
-            if moment is not self._moments[0]:
-                yield svg.path(f'M{_WORDS_X} {y - _ROW / 2}H{self._width - _MARGIN}', 'thin',
-                               animation.appear(begin_sec))
-            yield from self._moment(y, moment, begin_sec, animation)
-            begin_sec += _READ_SEC + (_TRAVEL_SEC if moment.moves else 0.0) + _STAY_SEC
-            y += _ROW
-
-    def _x(self, place: str) -> float:
+    def x(self, place: str) -> float:
         """Return where the middle of a place's column is."""
-        return _COLUMNS_X + self._places.index(place) * (self._column_width + _GAP) + self._column_width / 2
+        return _COLUMNS_X + self._places.index(place) * (self.width + _GAP) + self.width / 2
 
-    def _moment(self, y: float, moment: _Moment, begin_sec: float, animation: svg.Animation) -> Iterator[str]:
-        begins, leaves_sec = animation.appear(begin_sec), begin_sec + _READ_SEC
-        yield svg.words(_WORDS_X, y - 3 if moment.note else y + 4.5, svg.cut(moment.words, _WORDS_LETTERS), 'bold',
-                        anchor='start', style=begins)
-        if moment.note:
-            yield svg.words(_WORDS_X, y + 15, svg.cut(moment.note, _NOTE_LETTERS), 'small', anchor='start',
-                            style=animation.appear(leaves_sec + _TRAVEL_SEC) if moment.moves else begins)
-        arriving = {move.target for move in moment.moves if not move.objection}
-        for place, value in moment.values.items():
-            if place not in arriving:
-                # Without the frame of what has moved.
-                yield svg.words(self._x(place), y + 4.5, svg.cut(value, self._letters), 'code', style=begins)
-        for move in moment.moves:
-            draw = self._bounce if move.objection else self._journey
-            yield from draw(move, y, moment, leaves_sec, animation)
+    def between(self, source: str, target: str) -> list[str]:
+        """Return the places between two."""
+        return self._places[self._places.index(source) + 1:self._places.index(target)]
 
-    def _bounce(self, move: _Move, y: float, _moment: _Moment, leaves_sec: float,
-                animation: svg.Animation) -> Iterator[str]:
-        """Yield a value that its target does not take: it comes to the edge, and goes back."""
-        token, to_x = svg.cut(move.value, self._letters), self._x(move.target)
-        from_x = self._x(move.source) if move.source else _OUTSIDE_X
-        sign = 1 if from_x < to_x else -1
-        touch_x = to_x - sign * (self._column_width / 2 + svg.token_width(token) / 2 + 2)
-        cross_x, there_sec = to_x - self._column_width / 2 + 16, leaves_sec + _TRAVEL_SEC
-        yield svg.group([svg.cross(cross_x, y), svg.words(cross_x + 14, y + 4.5, svg.cut(
-            move.objection, self._letters), anchor='start')], animation.appear(there_sec - .3))
-        yield svg.group(svg.token(token, 'token-bad'), animation.travel(
-            [(leaves_sec, from_x, y), (there_sec - .3, touch_x, y), (there_sec, from_x, y)], from_sec=leaves_sec - .1))
+    def cut(self, value: str) -> str:
+        """Return as much of a value as there is room for."""
+        return svg.cut(value, max(4, int((self.width - 28) / svg.LETTER_WIDTH)))
 
-    def _journey(self, move: _Move, y: float, moment: _Moment, leaves_sec: float,
-                 animation: svg.Animation) -> Iterator[str]:
-        """Yield a value that travels, and the road that it leaves behind."""
-        token, to_x = svg.cut(move.value, self._letters), self._x(move.target)
-        half, target = svg.token_width(token) / 2, self._places.index(move.target)
-        there_sec = leaves_sec + _TRAVEL_SEC
-        between: list[svg.Stop] = []
-        if move.source:
-            source, from_x, from_y = self._places.index(move.source), self._x(move.source), y
-            sign = 1 if source < target else -1
-            held = svg.cut(moment.values.get(move.source, ''), self._letters)
-            begin, end = from_x + sign * (.55 * svg.LETTER_WIDTH * len(held) + 6), to_x - sign * (half + 4)
-            covered = [place for place in self._places[min(source, target) + 1:max(source, target)]
-                       if place in moment.values]
-            if covered:
-                # Over what does not count, which is struck out.
-                road = svg.path(f'M{begin:.1f} {y - 6}Q{(begin + end) / 2:.1f} {y - _ARC - 16} {end - sign * 8:.1f} '
-                                f'{y - 10}') + svg.arrow(end - sign * 12, y - 12, end + sign * 2, y - 5)
-                road += ''.join(svg.strike(self._x(place), y, svg.cut(moment.values[place], self._letters))
-                                for place in covered)
-                between = [((leaves_sec + there_sec) / 2, (from_x + to_x) / 2, y - _ARC)]
-            else:
-                road = svg.arrow(begin, y, end, y)
-        elif target == 0:
-            # From the left if nothing is in the way, and otherwise from above.
-            from_x, from_y, road = _OUTSIDE_X, y, svg.arrow(_OUTSIDE_X, y, to_x - half - 4, y)
+
+def _add_moment(diagram: Diagram, columns: _Columns, y: float, moment: Moment, begin_sec: float) -> None:
+    leaves_sec = begin_sec + _READ_SEC
+    diagram.show(begin_sec, svg.words(_WORDS_X, y - 3 if moment.note else y + 4.5,
+                                      svg.cut(moment.words, _WORDS_LETTERS), 'bold', anchor='start'))
+    if moment.note:
+        diagram.show(leaves_sec + TRAVEL_SEC if moment.moves else begin_sec, svg.words(
+            _WORDS_X, y + 15, svg.cut(moment.note, _NOTE_LETTERS), 'small', anchor='start'))
+    arriving = {move.target for move in moment.moves if not move.rejected}
+    # Without the frame of what has moved.
+    diagram.show(begin_sec, *(svg.words(columns.x(place), y + 4.5, columns.cut(value), 'code')
+                              for place, value in moment.values.items() if place not in arriving))
+    for move in moment.moves:
+        if move.rejected:
+            _add_bounce(diagram, columns, y, move, leaves_sec)
+        elif move.source:
+            _add_way(diagram, columns, y, moment, move, leaves_sec)
         else:
-            from_x, from_y, road = to_x, y - _ROW / 2 - 6, svg.arrow(to_x, y - _ROW / 2 + 1, to_x, y - 14)
-        yield svg.group(road, animation.appear(there_sec - .2))
-        yield svg.group(svg.token(token), animation.travel(
-            [(leaves_sec, from_x, from_y), *between, (there_sec, to_x, y)], from_sec=leaves_sec - .1))
+            _add_fall(diagram, columns.x(move.target), y, columns.cut(moment.values[move.target]), leaves_sec)
 
 
-def _told(value: Any) -> str:
-    return value if isinstance(value, str) else repr(value)
+def _add_bounce(diagram: Diagram, columns: _Columns, y: float, move: Move, leaves_sec: float) -> None:
+    """Add a value that its target does not take: it comes to the edge, and goes back."""
+    token, from_x, there_sec = columns.cut(move.rejected), columns.x(move.source), leaves_sec + TRAVEL_SEC
+    edge_x = columns.x(move.target) - columns.width / 2
+    touch_x = edge_x - svg.token_width(token) / 2 - 2
+    diagram.mark(False, edge_x + 16, y, there_sec - .3)
+    diagram.show(there_sec - .3, svg.words(edge_x + 30, y + 4.5, columns.cut(move.objection), anchor='start'))
+    diagram.add(Moving(svg.token(token, 'token-bad'), from_sec=leaves_sec - .1, stops=[
+        (leaves_sec, from_x, y), (there_sec - .3, touch_x, y), (there_sec, from_x, y)]))
+
+
+def _add_fall(diagram: Diagram, x: float, y: float, value: str, leaves_sec: float) -> None:
+    """Add a value that comes from outside, and so from above."""
+    there_sec, top = leaves_sec + TRAVEL_SEC, y - _ROW / 2
+    diagram.show(there_sec - .2, svg.arrow(x, top + 1, x, y - 14))
+    diagram.add(Moving(svg.token(value), [(leaves_sec, x, top - 6), (there_sec, x, y)], from_sec=leaves_sec - .1))
+
+
+def _add_way(diagram: Diagram, columns: _Columns, y: float, moment: Moment, move: Move, leaves_sec: float) -> None:
+    """Add a value that travels to the right, over others if there are any: they do not count, and are struck out."""
+    value, held = (columns.cut(moment.values.get(place, '')) for place in (move.target, move.source))
+    from_x, to_x, half = columns.x(move.source), columns.x(move.target), svg.token_width(value) / 2
+    begin_x, end_x = from_x + .55 * svg.LETTER_WIDTH * len(held) + 6, to_x - half - 4
+    covered = [place for place in columns.between(move.source, move.target) if place in moment.values]
+    if not covered:
+        diagram.journey(svg.token(value), half, begin_x, from_x, to_x, y, leaves_sec)
+        return
+    there_sec = leaves_sec + TRAVEL_SEC
+    diagram.show(there_sec - .2, svg.path(
+        f'M{begin_x:.1f} {y - 6}Q{(begin_x + end_x) / 2:.1f} {y - _ARC - 16} {end_x - 8:.1f} {y - 10}'),
+        svg.arrow(end_x - 12, y - 12, end_x + 2, y - 5),
+        *(svg.strike(columns.x(place), y, columns.cut(moment.values[place])) for place in covered))
+    half_way = leaves_sec + TRAVEL_SEC / 2, (from_x + to_x) / 2, y - _ARC
+    diagram.add(Moving(svg.token(value), [(leaves_sec, from_x, y), half_way, (there_sec, to_x, y)],
+                       from_sec=leaves_sec - .1))

@@ -1,0 +1,152 @@
+"""An example of each drawing: states like those of the chapters, and what is hard to draw."""
+
+import math
+
+from param_tutorial.nodes.clawbot_node import Motion, Settings, State, plan
+from param_tutorial.views.cart import cart_on_trip
+from param_tutorial.views.drawing import driving
+from param_tutorial.views.drawing.calls import Call, Line, draw_calls
+from param_tutorial.views.drawing.checks import draw_checks
+from param_tutorial.views.drawing.ladder import draw_ladder
+from param_tutorial.views.drawing.layers import draw_layers
+from param_tutorial.views.drawing.lifts import draw_lifts
+from param_tutorial.views.drawing.messages import Listener, draw_messages
+from param_tutorial.views.drawing.number_line import Request, Scale, draw_number_line
+from param_tutorial.views.drawing.plane import Way, draw_plane
+from param_tutorial.views.drawing.requests import Request as Sent
+from param_tutorial.views.drawing.requests import Side, draw_requests
+from param_tutorial.views.drawing.robot import Robot
+from param_tutorial.views.drawing.ros_graph import NodeGraph
+from param_tutorial.views.drawing.timeline import Step, Timeline
+from param_tutorial.views.drawing.trail import Moment, Move, draw_trail
+from param_tutorial.views.drawing.worlds import World, draw_worlds
+
+# Names and values are text, whatever is in them.
+EVIL = '<b>"&'
+
+_ACCEPTED = [
+    Step('asked', 'set speed to 900', '100', comes_from='you', proposed='900'),
+    Step('pre-set', 'trim sees 900, gives 300', '100', who='trim', proposed='300'),
+    Step('on-set', 'judge sees 300, accepts', '100', who='judge', proposed='300'),
+    Step('stored', 'the value is written', '300'),
+    Step('event', 'speed = 300', '300', goes_to='everybody'),
+    Step('post-set', 'act sees 300', '300', who='act', proposed='300'),
+    Step('answer', 'successful', '300', goes_to='you')]
+_WHY = 'too fast for this robot and its wheels, which are small'
+_REJECTED = [*_ACCEPTED[:2],
+             Step('on-set', 'judge sees 300, rejects', '100', who='judge', proposed='300', objection=_WHY),
+             Step('answer', f'rejected: {_WHY}', '100', goes_to='you', objection=_WHY)]
+_OUT_OF_RANGE = [_ACCEPTED[0], Step('answer', 'rejected: out of range', '100', goes_to='you', objection='out of range')]
+_RAISED = [_ACCEPTED[0], Step('pre-set', 'trim sees 900, raises TypeError', '100', who='trim',
+                              objection='raises TypeError'), Step('no answer', 'the caller would wait forever', '100')]
+_RAISED_LATE = [*_ACCEPTED[:5], Step('post-set', '', '300', who='act', proposed='300', objection='raises ValueError'),
+                Step('no answer', '', '300')]
+
+_CALLS = [
+    Call('/arm', 'get_parameters', ('tool', 'pid.kp'), (Line("''"), Line('2.0'))),
+    Call('/arm', 'set_parameters', ('kp = 3.0', f'tool = {EVIL}'),
+         (Line('accepted', True), Line('rejected: wrong type', False))),
+    Call('/arm', 'set_parameters_atomically', ('tool = 5',), (Line('rejected: wrong type', False),)),
+    Call('/simple_param_node', 'list_parameters', (), tuple(Line(f'p{number}') for number in range(9))),
+    Call('/amr', 'get_parameters', ('tool',), problem='there is no node /amr. Did you mean /arm?', is_delivered=False),
+    Call('/dozing', 'list_parameters', (), problem='/dozing did not answer within 0.5 s')]
+
+_CHECKS = [('serial', "'x'", 'read only'), ('sped', '50', 'undeclared'), ('speed', "'fast'", 'wrong type'),
+           ('speed', '905', 'out of range'), ('speed', '45', 'off the step'),
+           ('max_speed_rpm', '60', 'rejected by the node'), ('speed', '70', 'accepted')]
+
+_LISTENERS = {'/monitor': Listener('reliable, volatile'), 'this notebook': Listener('reliable, volatile'),
+              '/hopeful': Listener('reliable, transient local', 'incompatible QoS')}
+
+_PAIRS = {(low, high): low < high for low in range(-10, 71, 10) for high in range(-10, 71, 10)}
+_WAYS = [Way('one by one', (50, 60), [('high_c = 10', (50, 10), (50, 60)), ('low_c = 0', (0, 60), (0, 60))]),
+         Way('atomically', (50, 60), [('high_c = 10, low_c = 0', (0, 10), (0, 10))])]
+
+_LIST = "[1, 'two', 3.0]"
+_WORLDS = [
+    Side('ROS 1', '/robot', {'gain': '0.5'}, [Sent('gain', each, each) for each in ('1', "'high'", _LIST)],
+         server='master', note=f'2 * gain = {_LIST}'),
+    Side('ROS 2', '/robot', {'gain': '0.5'}, [
+        *(Sent('gain', each, '0.5', 'wrong type') for each in ('1', "'high'")),
+        Sent('gain', _LIST, '0.5', 'no type for it')], note='2 * gain = 1.0')]
+_HAS = {'fan': '3', 'low_c': '-30', 'high_c': '-10', 'mode': "'winter'"}
+_WAYS_BACK = [
+    Side('all, one by one', '/weather', _HAS, [
+        Sent('mode', "'summer'", "'summer'"), Sent('fan', '3', '3'),
+        Sent('low_c', '-5', '-30', 'rejected by the node'), Sent('high_c', '40', '40')], note='still different: low_c'),
+    # Its rows are not in the order in which they are sent.
+    Side('what differs, as one', '/weather', _HAS, [
+        Sent('low_c', '-5', '-5'), Sent('high_c', '40', '40'), Sent('mode', "'summer'", "'summer'")], is_one=True)]
+
+_COPIED = (Move('/a variable', '/a used'), Move('/b parameter', '/b used'))
+_COPIES = ['/a parameter', '/a variable', '/a used', '/b parameter', '/b used']
+_DECLARED = ['from outside', 'declare_parameter', 'the node has']
+
+DIAGRAMS = {
+    'calls': draw_calls('this notebook', _CALLS),
+    'calls_none': draw_calls('this notebook', []),
+    'checks': draw_checks('/strict', _CHECKS),
+    'ladder_accepted': draw_ladder('/robot', 'speed', _ACCEPTED),
+    'ladder_rejected': draw_ladder('/robot', 'speed', _REJECTED, _WHY),
+    'ladder_out_of_range': draw_ladder('/robot', 'speed', _OUT_OF_RANGE, 'out of range'),
+    'ladder_exception': draw_ladder('/robot', 'speed', _RAISED, 'TypeError: no'),
+    'ladder_late_exception': draw_ladder('/robot', 'speed', _RAISED_LATE, 'ValueError: no'),
+    'layers': draw_layers('speed', [('default', 100), ('all.yaml', '/**', 300), ('robot.yaml', '/robot', 200),
+                                    ('-p 400', '/**', 400)], has=200),
+    'layers_unexplained': draw_layers('speed', [('default', 100), ('robot.yaml', 180)], has=400),
+    'lifts': draw_lifts({'before': [(0, 0.0), (1, .2), (2, .7), (3, 1.2), (4, 1.3)],
+                         'after': [(0, 0.0), (1, .2), (2, .4), (3, .6), (4, .7)]},
+                        {0: '0.2 m/s', 1: '0.5 m/s with 900 kg: rejected', 3: '0.1 m/s'}),
+    'messages': draw_messages(['/arm', '/monitor'], _LISTENERS, '/arm', ['changed speed = 2', 'deleted note'],
+                              offers='reliable, volatile'),
+    'messages_none': draw_messages(['/arm'], {'this notebook': Listener('reliable, volatile')}),
+    'number_line': draw_number_line('/gripper', 'opening_mm', Scale(0, 85, 10), 40),
+    'number_line_accepted': draw_number_line('/gripper', 'opening_mm', Scale(0, 85, 10), 80, before=40,
+                                             request=Request(85, '85')),
+    'number_line_rejected': draw_number_line('/gripper', 'opening_mm', Scale(0, 85, 10), 40, request=Request(
+        45, '45', 'The parameter value for opening_mm is not a valid step')),
+    'number_line_locked': draw_number_line('/gripper', 'serial', Scale.around(7), 7, is_locked=True, request=Request(
+        None, "'x'", 'serial is read-only')),
+    'plane': draw_plane(('low_c', 'high_c'), _PAIRS, _WAYS),
+    'requests_worlds': draw_requests('gain', _WORLDS),
+    'requests_ways': draw_requests('the way back', _WAYS_BACK),
+    'trail_copies': draw_trail('speed', _COPIES, [
+        Moment('so far', '', dict.fromkeys(_COPIES, '100'), _COPIED),
+        Moment('set to 150', 'the copy is stale', dict(zip(_COPIES, ('150', '100', '100', '150', '150'), strict=True)),
+               (Move('', '/a parameter'), Move('', '/b parameter'), *_COPIED))]),
+    'trail_declarations': draw_trail('/four_types', _DECLARED, [
+        Moment('name', '', {'declare_parameter': "'Clawbot'", 'the node has': "'Clawbot'"},
+               (Move('declare_parameter', 'the node has'),)),
+        Moment('speed', 'an override', dict(zip(_DECLARED, ('150', '100', '150'), strict=True)),
+               (Move('from outside', 'the node has'),)),
+        Moment('sped', 'an override, never declared', {'from outside': '90'},
+               (Move('from outside', 'the node has', '90', 'ignored'),))]),
+    'worlds': draw_worlds('speed', [World('ROS 1', {'/robot': '900'}, '/robot', '900', server='master'),
+                                    World('ROS 2', {'/robot': '150', '/robot2': '900'}, '/robot2', '100')])}
+
+
+def _robot(settings: Settings, motion: Motion, **others) -> Robot:
+    facts = {'name': 'Clawbot', 'serial_number': 'SN-CLAW-001', 'wheel_m': 0.1, **others}
+    return Robot(settings=settings, motion=motion, **facts)
+
+
+_SETTINGS = Settings(1.05, 0.5)
+_CRASHED = Motion((), State('CRASHED', 4.0, crash_speed_mps=1.05))
+_STATES = [State('READY', 0.0), State('SPEEDING UP', 1.0, 0.5, 0.5), State('CRUISING', 1.0, 1.0),
+           State('SLOWING DOWN', 1.0, 1.0), State('BRAKING', 3.0, 1.0), State('EMERGENCY BRAKING', 3.5, 1.0),
+           State('WAITING', 0.0), State('STOPPED', 3.8), State('CRASHED', 4.0, crash_speed_mps=1.05)]
+_WAITING = Motion((), State('WAITING', 0.0))
+_PATIENT = _robot(Settings(1.0, 0.5), Motion((), State('STOPPED', 3.8)), waiting_for='it is cold')
+EXAMPLES = {
+    **{name: diagram.html(name) for name, diagram in DIAGRAMS.items()},
+    'robot_drives': driving.replay(_robot(_SETTINGS, plan(0.0, 0.0, _SETTINGS))).removeprefix(driving.STYLE),
+    'robot_crashed': driving.still(_robot(Settings(1.0, 0.5, safety_on=False), _CRASHED, name=EVIL).at(0.0)),
+    'robot_in_the_cold': driving.still(_robot(
+        Settings(1.0, 0.5, sensor_offset_m=0.4, track_m=14.0), _WAITING, temperature_c=-12, wheel_m=0.12,
+        waiting_for='it is cold').at(0.0)),
+    'robot_sentences': ''.join(f'<p>{driving.Moment(_PATIENT, each).text}</p>' for each in _STATES),
+    'cart': driving.still(cart_on_trip('/cart', 1.0, 0.5).at(math.inf)),
+    'graph': NodeGraph(serves=['/b', '/a'], asks=[('/b', '/a'), (EVIL, '/a'), (EVIL, '/gone')], tells=['/a', '/b'],
+                       listens=['/b'])._repr_html_(),
+    'graph_of_nobody': NodeGraph(serves=[], asks=[], tells=[], listens=[])._repr_html_(),
+    'timeline': Timeline('/robot', 'speed', _REJECTED)._repr_html_()}

@@ -1,0 +1,303 @@
+"""The views of diagrams: what real nodes answer, also from the line below the picture; what all of them do."""
+
+import re
+
+import pytest
+from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, ParameterEvent, SetParametersResult
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile
+
+import param_tutorial
+from param_tools.errors import InvalidValueError, NodeNotFoundError
+from param_tutorial import ParameterClient, views, wait_until
+from param_tutorial.nodes.param_event_monitor import ParamEventMonitor
+from param_tutorial.nodes.param_query_node import ParamQueryNode
+from tests.support.widgets import texts
+from tests.views.conftest import Weather
+
+SOME = range(0, 30, 10)
+
+
+def choose(view, chosen):
+    """Do what the browser does when a reader has chosen something below a picture, and return the line."""
+    *_, below = view.children
+    below._handle_custom_msg({'chosen': chosen}, [])
+    return below
+
+
+@pytest.mark.parametrize('make', [
+    views.CallsView,
+    lambda: views.LadderView('/weather', 'low_c', -6),
+    lambda: views.MessageView('/weather', 'low_c', -6),
+], ids=['calls', 'ladder', 'message'])
+def test_a_picture_of_what_was_measured_outlives_the_stage(weather, make):
+    view = make()
+    param_tutorial.stop()
+    assert re.search(r'<div class="motion">.*role="img" aria-label="[^"]', texts(view), re.DOTALL)
+    view.close()
+    view.close()
+    assert 'closed' in repr(view)
+
+
+def test_what_is_added_is_played_and_a_closed_view_draws_no_more():
+    view = views.WorldsView('speed')
+    assert 'Play again' not in texts(view) and view.node == 'speed'
+    view.add('ROS 2', {'/a': 9}, killed='/a', successor=1)
+    played = texts(view)
+    assert '@keyframes' in played and repr(view) == '<WorldsView: ROS 2: the new /a has 1.>'
+    view.close()
+    view.add('ROS 3', {'/a': 9}, killed='/a', successor=1)
+    assert view._drawn.value in played
+
+
+# -- calls, checks, planes, graphs ---------------------------------------------------------------------------
+
+def test_calls_are_real_and_show_what_came_back(weather):
+    view, pair = views.CallsView(), {'high_c': 30, 'low_c': 'cold'}
+    view.call(weather, 'get_parameters', ['low_c', 'high_c'])
+    assert 'carries low_c; high_c. /weather answers get_parameters. The answer carries -5; 40.' in view.text
+    view.call('weather', 'get_parameters', ['low_c', 'wings'])
+    assert view.text.endswith('The answer carries no values at all.')
+    view.call('/weather', 'list_parameters', ['nothing'])
+    assert view.text.endswith('The answer carries no names at all.')
+    # Each value has a result, and an atomic request has one.
+    view.call(weather, 'set_parameters_atomically', pair)
+    assert view.text.endswith('The answer carries rejected: wrong type.')
+    view.call(weather, 'set_parameters', pair)
+    assert view.text.endswith('1 of 2 rejected. The answer carries accepted; rejected: wrong type.')
+    assert repr(view) == '<CallsView: /weather answers set_parameters, 1 of 2 rejected.>'
+    with pytest.raises(ValueError, match='a CallsView calls get_parameters, '):
+        view.call(weather, 'describe_parameters', ['low_c'])
+
+
+@pytest.mark.slow
+def test_a_node_that_is_not_there_and_one_that_does_not_answer_are_told_apart(ros, weather):
+    dozing, view = Node('dozing'), views.CallsView(timeout_sec=.2)
+    view.call('/wether', 'get_parameters', ['low_c'])
+    assert 'Nobody takes the request get_parameters for /wether. There is no node /wether. Did you mean' in view.text
+    wait_until(lambda: '/dozing' in ros.services.node_names(), 'the dozing node to be seen')
+    view.call('/dozing', 'list_parameters')
+    assert repr(view) == '<CallsView: /dozing gets the request list_parameters, and no answer comes.>'
+    dozing.destroy_node()
+
+
+class Strict(Node):
+    def __init__(self):
+        super().__init__('strict')
+        limits = [IntegerRange(from_value=0, to_value=100, step=10)]
+        self.declare_parameter('speed', 50, ParameterDescriptor(integer_range=limits))
+        self.declare_parameter('serial', 50, ParameterDescriptor(integer_range=limits, read_only=True))
+        self.add_on_set_parameters_callback(
+            lambda parameters: SetParametersResult(successful=parameters[0].value != 60, reason='it rattles'))
+
+
+def test_a_request_is_stopped_by_the_first_check_that_it_fails(ros):
+    """Each but the last is wrong for its own check and for all later ones that can see it."""
+    view = views.ChecksView(ros.add(Strict), [
+        ('sped', 'x'), ('serial', 'x'), ('serial', 905), ('speed', None), ('speed', '60'), ('speed', 905),
+        ('speed', 45), ('speed', 60), ('speed', 70)])
+    stopped = re.findall(r'(\w+ = \S+) .*?(?:stopped at ([\w -]+):|is (stored))', view.text)
+    assert stopped == [
+        ("sped = 'x'", 'declared', ''), ("serial = 'x'", 'read-only', ''), ('serial = 905', 'read-only', ''),
+        ('speed = None', 'type', ''), ("speed = '60'", 'type', ''), ('speed = 905', 'range', ''),
+        ('speed = 45', 'step', ''), ('speed = 60', 'on-set callbacks', ''), ('speed = 70', '', 'stored')]
+
+
+def test_the_ways_in_a_plane_are_those_of_real_requests_and_the_node_has_what_it_had(weather):
+    view = views.PlaneView(weather, {'low_c': SOME, 'high_c': SOME})
+    assert repr(view) == '<PlaneView: The node takes 3 of 9 pairs.>'
+    view.go('one by one', {'low_c': 10, 'high_c': 20}, {'high_c': 5}, {'low_c': 0})
+    view.go('atomically', {'low_c': 10, 'high_c': 20}, {'high_c': 5, 'low_c': 0})
+    assert repr(view) == '<PlaneView: one by one: ends at (0, 20); atomically: ends at (0, 5).>'
+    assert 'high_c = 5 is rejected, now (10, 20), low_c = 0 is accepted, now (0, 20)' in view.text
+    with pytest.raises(ValueError, match='does not take the start'):
+        view.go('never', {'low_c': 20, 'high_c': 10}, {'high_c': 30})
+    assert ParameterClient(weather).get_parameters(['low_c', 'high_c']) == {'low_c': -5, 'high_c': 40}
+
+
+def test_the_graph_is_what_is_connected(ros, weather):
+    ros.add(ParamEventMonitor)
+    query = ros.add(ParamQueryNode)
+    ros.add(Node, '_hidden')
+    for name in ('/weather', '/_hidden'):
+        ParameterClient(name).list_parameters()
+    graph = views.node_graph()
+    assert {'/weather', '/param_event_monitor', '/param_query_node'} <= set(graph.serves)
+    assert {'/param_event_monitor', 'this notebook'} <= set(graph.listens)
+    assert {('this notebook', '/weather'), ('/param_query_node', '/simple_param_node')} <= set(graph.asks)
+    assert graph.missing == ['/simple_param_node'] and '_hidden' not in repr(graph)
+    ros.remove(query)
+    assert '/param_query_node' not in views.node_graph().askers
+
+
+# -- trails --------------------------------------------------------------------------------------------------
+
+def test_declarations_show_defaults_overrides_and_what_bounces(ros):
+    view = views.DeclarationsView(Weather, {'high_c': 30, 'hihg_c': 20})
+    assert 'low_c: -5 arrives at the node has; declare_parameter -5, the node has -5.' in view.text
+    assert 'high_c: 30 arrives at the node has; from outside 30, declare_parameter 40, the node has 30' in view.text
+    assert 'hihg_c: 20 bounces off the node has (ignored); from outside 20; an override, never declared.' in view.text
+    view.set_parameter('high_c', 35)
+    assert 'set high_c: 35 arrives at the node has' in view.text
+    view.set_parameter('hihg_c', 20)
+    assert 'set hihg_c: 20 bounces off the node has (rejected); from outside 20; undeclared.' in view.text
+    assert ParameterClient('/weather').get_parameter('high_c') == 35
+
+
+class Copies(Node):
+    def __init__(self):
+        super().__init__('copies')
+        self.speed = self.declare_parameter('speed', 1).value
+        self.used = 0
+        self.create_timer(0.01, self.drive)
+
+    def drive(self):
+        self.used = self.speed
+
+
+class Reads(Node):
+    def __init__(self):
+        super().__init__('reads')
+        self.declare_parameter('speed', 1)
+        self.used = 0
+        self.create_timer(0.01, self.drive)
+
+    def drive(self):
+        self.used = self.get_parameter('speed').value
+
+
+def test_a_new_value_stops_at_the_parameter_of_the_node_that_copies(ros):
+    copies, reads = ros.add(Copies), ros.add(Reads)
+    wait_until(lambda: copies.used == reads.used == 1, 'both to use the first value')
+    view = views.CopiesView(copies, reads, 'speed', used='used')
+    view.set_parameter(2)
+    assert view.text.endswith(
+        '/copies parameter 2, /copies variable 1, /copies used 1, /reads parameter 2, /reads used 2; '
+        'the copy is stale.')
+
+
+# -- the ladder ----------------------------------------------------------------------------------------------
+
+def test_a_value_climbs_down_the_ladder_or_returns_from_it_and_another_is_typed(ros, robot):
+    view = views.LadderView(robot, 'speed', 900)
+    assert repr(view) == '<LadderView: speed = 900 is accepted, and 300 is stored.>' and view.node == '/robot'
+    below = choose(view, '-5')
+    assert 'judge rejects: minus five; stored is 300' in view.text and (below.name, below.text) == ('speed', '900')
+    # With the type that `ros2 param set` would give it.
+    choose(view, 'fast')
+    assert 'an exception at pre-set callbacks, and the caller gets no answer' in view.text and below.said == ''
+    ros.remove(robot)
+    before = view.text
+    assert '/robot' in choose(view, '7').said and view.text == before
+    with pytest.raises(NodeNotFoundError, match='/nobody'):
+        views.LadderView('nobody', 'speed', 1)
+
+
+# -- layers --------------------------------------------------------------------------------------------------
+
+def test_sources_are_put_into_another_order_and_a_node_is_started_with_them(ros):
+    class Robot(Node):
+        def __init__(self, **options):
+            super().__init__('robot', **options)
+            self.declare_parameter('speed', 100)
+
+    def start(*options):
+        words = [word for option in options for word in ('-p', option)]
+        return ros.add(Robot, ros_args=words).get_parameter('speed').value
+
+    view = views.LayersView('speed', [
+        ('default', 100), ('speed:=400', '/**', 400), ('robot:speed:=500', 'robot', 500)], start=start)
+    assert 'speed = 500, from robot:speed:=500' in view.text
+    below = choose(view, ['robot:speed:=500', 'speed:=400'])
+    assert ParameterClient('/robot').get_parameter('speed') == 400
+    assert below.told == view.text and view.text.endswith('speed = 400, from speed:=400.')
+    param_tutorial.stop()
+    choose(view, ['speed:=400', 'robot:speed:=500'])
+    assert 'start()' in below.said and below.items == ['robot:speed:=500', 'speed:=400'] and below.answered == 2
+    assert len(views.LayersView('speed', [('default', 100), ('file', 2)]).children) == len(view.children) - 1
+
+
+# -- messages ------------------------------------------------------------------------------------------------
+
+class Ears(Node):
+    """Listens, and keeps what it hears."""
+
+    def __init__(self, durability):
+        super().__init__('ears')
+        self.heard = []
+        self.ears = self.create_subscription(ParameterEvent, '/parameter_events', self.hear,
+                                             QoSProfile(depth=10, durability=durability))
+
+    def hear(self, event):
+        self.heard += [each.name for each in event.changed_parameters]
+
+
+def test_a_listener_gets_the_message_as_the_qos_allows_that_is_chosen_for_it(ros, robot, client):
+    ros.add(ParamEventMonitor)
+    ears = ros.add(Ears, DurabilityPolicy.TRANSIENT_LOCAL)
+    view = views.MessageView(client, 'speed', 5)
+    assert (repr(view), view.node) == ('<MessageView: /robot accepted speed = 5>', '/robot')
+    assert 'subscribe to it: /param_event_monitor (asks for reliable, volatile), this notebook' in view.text
+    assert view.text.endswith('/ears (asks for reliable, transient local) subscribes and gets nothing: incompatible '
+                              'QoS. A message from /robot goes to 2 listeners. It says: changed speed = 5.')
+    below = choose(view, ['/ears', 'durability', 'volatile'])
+    assert below.things['/ears'] == {'reliability': 'reliable', 'durability': 'volatile'}
+    assert ears.heard == ['speed'] and '/ears (asks for reliable, volatile)' in below.told == view.text
+    # The node has the new subscription wherever it had the old one, and no other.
+    assert list(ears.subscriptions) == [ears.ears]
+    choose(view, ['/ears', 'durability', 'transient local'])
+    assert ears.heard == ['speed'] and '/ears (asks for reliable, transient local) subscribes and' in view.text
+    assert '/nobody' in choose(view, ['/nobody', 'durability', 'volatile']).said
+
+
+def test_a_rejected_value_sends_no_message(robot):
+    view = views.MessageView(robot, 'speed', -5)
+    assert 'Nothing has changed yet' in view.text and 'rejected' in repr(view)
+
+
+def test_what_may_arrive_and_does_not_is_drawn_as_not_arrived(ros, robot, client, monkeypatch):
+    ears = ros.add(Ears, DurabilityPolicy.VOLATILE)
+    monkeypatch.setattr('param_tutorial.views.messages._ARRIVAL_SEC', 0.2)
+    ros.run(lambda: ears.executor.remove_node(ears), 'leave the node alone')
+    assert '/ears (asks for reliable, volatile) subscribes and gets nothing: it did not arrive' in views.MessageView(
+        client, 'speed', 5).text
+
+
+# -- requests ------------------------------------------------------------------------------------------------
+
+def test_requests_are_put_into_another_order_and_sent_again_from_the_same_beginning(weather):
+    client = ParameterClient(weather)
+    has, wanted = {'low_c': -30, 'high_c': -10}, {'low_c': -5, 'high_c': 40}
+    view = views.RequestsView('back')
+    for title, as_one in (('one by one', False), ('as one', True)):
+        client.set_parameters_atomically(has)
+        view.send(title, client, wanted, atomically=as_one)
+        view.conclude(lambda: f'low_c is {client.get_parameter("low_c")}')
+    assert repr(view) == '<RequestsView: one by one: 1 of 2 accepted; as one: 2 of 2 accepted.>'
+    assert 'low_c = -5 is rejected (rejected by the node), and /weather keeps -30' in view.text
+    assert 'low_c is -30. as one, one request: low_c = -5 is accepted' in view.text
+    below = choose(view, ['high_c', 'low_c'])
+    assert repr(view) == '<RequestsView: one by one: 2 of 2 accepted; as one: 2 of 2 accepted.>'
+    assert 'one by one, high_c = 40 is accepted' in view.text and 'low_c is -5. as one' in view.text
+    assert (below.items, below.told) == (['high_c', 'low_c'], view.text) and client.get_parameter('low_c') == -5
+
+
+def test_what_fits_no_message_or_no_parameter_is_shown_as_rejected_beside_a_world_that_takes_everything(weather):
+    view, tried = views.RequestsView('high_c'), [('high_c', [1, 'two']), ('high_c', 'hot'), ('hihg_c', 1)]
+    view.send('ROS 2', '/weather', tried)
+    view.add_lenient('ROS 1', '/weather', {'high_c': 40}, tried[:2], server='master')
+    assert "high_c = [1, 'two'] is rejected (no type for it), and /weather keeps 40" in view.text
+    assert "high_c = 'hot' is rejected (wrong type), and /weather keeps 40" in view.text
+    assert 'hihg_c = 1 is rejected (undeclared), and /weather keeps nothing' in view.text
+    assert "high_c = 'hot' is accepted, and master keeps 'hot'; /weather gets 'hot' from master." in view.text
+    with pytest.raises(InvalidValueError):
+        view.send('as one', weather, {'high_c': [1, 'two']}, atomically=True)
+
+
+def test_nothing_is_put_into_order_where_a_side_has_sent_nothing_or_a_name_twice(weather):
+    view, twice = views.RequestsView('high_c'), views.RequestsView('high_c')
+    view.send('ROS 2', weather, {'high_c': 20, 'low_c': 1})
+    assert view.children[-1].items == ['high_c', 'low_c']
+    view.add_lenient('ROS 1', '/weather', {'high_c': 40}, [('high_c', 'hot')], server='master')
+    twice.send('ROS 2', weather, [('high_c', 20), ('low_c', 1), ('high_c', 2)])
+    assert view.children[-1].items == twice.children[-1].items == []
