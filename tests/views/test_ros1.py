@@ -42,13 +42,6 @@ def test_answers_stand_beside_the_steps():
     assert '<th scope="col">ROS 1, recorded</th><th scope="col">ROS 2, now</th>' in shown._repr_html_()
 
 
-def test_long_lines_stay_in_their_column():
-    shown = repr(ros1.Recorded((Step('/r>>>', 'word ' * 40),)).beside('word ' * 40))
-    assert max(map(len, shown.splitlines())) <= 2 * 58 + 2
-
-
-@pytest.mark.parametrize('answers', [(), (1,), (1, 2, 3)])
-def test_an_answer_too_few_or_too_many_is_told(answers):
-    two = ros1.Recorded((Step('/r>>>', 'a'), Step('/r>>>', 'b')))
-    with pytest.raises(ValueError, match=f'2 steps were recorded, so beside.. takes 2 answers and not {len(answers)}'):
-        two.beside(*answers)
+def test_an_answer_too_few_is_told():
+    with pytest.raises(ValueError, match=r'1 steps were recorded, so beside\(\) takes 1 answers and not 0'):
+        ros1.Recorded((Step('/r>>>', 'a'),)).beside()

@@ -1,0 +1,214 @@
+"""The robot and the cart: their pictures move as physics says, and their views as the nodes do."""
+
+import itertools
+import math
+import re
+from types import SimpleNamespace
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from rclpy.node import Node
+
+from param_tools.errors import NodeNotFoundError
+from param_tutorial import ParameterClient, wait_until
+from param_tutorial.nodes.cart_node import CartNode
+from param_tutorial.nodes.clawbot_node import ClawbotNode, Settings, State, plan
+from param_tutorial.views import CartView, RobotView
+from param_tutorial.views import cart as cart_module
+from param_tutorial.views.cart import cart_on_trip
+from param_tutorial.views.drawing import driving
+from param_tutorial.views.drawing.robot import Robot
+from tests.support.widgets import press
+from tests.views.conftest import shows
+
+FAST = Settings(1.0, 0.5)
+
+
+def robot_on(motion, settings=FAST):
+    return Robot(name='Clawbot', serial_number='SN-1', wheel_m=0.1, settings=settings, motion=motion)
+
+
+def bezier(curve, time):
+    """Return the progress of a CSS cubic-bezier whose x is time itself, as ours are."""
+    x1, y1, x2, y2 = map(float, re.fullmatch(r'cubic-bezier\((.*)\)', curve)[1].split(','))
+    assert (x1, x2) == pytest.approx((1 / 3, 2 / 3), abs=1e-5)
+    return 3 * y1 * time * (1 - time) ** 2 + 3 * y2 * time ** 2 * (1 - time) + time ** 3
+
+
+@given(st.floats(0.01, 2.0), st.integers(1, 300), st.floats(0.0, 2.0), st.booleans(), st.floats(0.0, 1.0))
+def test_the_browser_moves_it_along_the_closed_form(acceleration, speed_rpm, velocity, safety_on, fraction):
+    motion = plan(0.5, velocity, Settings(speed_rpm / 60 * 2 * math.pi * 0.1, acceleration, safety_on))
+    for phase in motion.phases:
+        way_m = phase.at(phase.duration_sec).position_m - phase.position_m
+        exact = phase.at(fraction * phase.duration_sec).position_m - phase.position_m
+        assert bezier(driving._timing_function(phase), fraction) * way_m == pytest.approx(exact, abs=2e-5)
+
+
+@given(st.floats(0.01, 2.0), st.integers(1, 300), st.floats(0.0, 0.9), st.floats(2.0, 20.0))
+def test_its_ray_has_no_gap_up_to_the_wall(acceleration, speed_rpm, velocity, track_m):
+    """At each moment, its own part reaches the point where the rest begins, and no gap opens."""
+    settings = Settings(speed_rpm / 60 * 2 * math.pi * 0.1, acceleration, track_m=track_m)
+    facts = robot_on(plan(0.5, velocity, settings), settings)
+    steps = re.search(r'@keyframes robot-NAME-ray \{(.*?)\}\}', driving.moving(facts))[1] + '}'
+    jumps = [(float(percent) / 100 * facts.motion.duration_sec, float(x))
+             for percent, x in re.findall(r'([\d.]+)% \{transform:translateX\(([\d.]+)px\)', steps)]
+    # Percentages have four digits.
+    blur_sec = 1e-6 * facts.motion.duration_sec + 1e-5
+    for (begin_sec, x), (end_sec, _) in itertools.pairwise(jumps):
+        for moment_sec in (begin_sec, end_sec):
+            eye_m = facts.motion.at(moment_sec).position_m + facts.ray_begin_m
+            blur_units = (blur_sec * 2 * 3.2 + 1e-4) * facts.units_per_m
+            assert facts.x(eye_m) - blur_units <= x <= facts.x(eye_m + facts.reach_m) + blur_units
+
+
+def test_the_bar_before_the_robot_is_the_way_in_which_it_would_stop():
+    """At each speed; where the safety mode brakes, the bar ends at the stop line all the time."""
+    facts = robot_on(plan(0.0, 0.0, FAST))
+    for elapsed_sec in (0.0, 1.0, 3.0, 4.0, 5.0, 5.7):
+        moment = facts.at(elapsed_sec)
+        stretched = float(re.search(r'scaleX\(([\d.]+)\)', driving.still(moment))[1])
+        way_m = stretched * 100 / facts.units_per_m
+        assert way_m == pytest.approx(moment.state.velocity_mps ** 2 / (2 * 0.5), abs=1e-3)
+        if moment.state.word == 'BRAKING':
+            assert moment.state.position_m + facts.stopping_m(moment.state) == pytest.approx(FAST.stop_m)
+
+
+def test_scenes_tell_when_what_it_does_changes_and_how_it_leans():
+    times, states, _, _, leans = zip(*(robot_on(plan(0.0, 0.0, FAST)).at(second).scene for second in (0, 2.5, 4, 9)))
+    assert states == ('SPEEDING UP', 'CRUISING', 'BRAKING', 'STOPPED')
+    assert times == pytest.approx((0.0, 2.5, 4.0, 5.8))
+    lean = math.atan(0.5 / 9.81)
+    assert leans == pytest.approx((-lean, 0.0, lean, 0.0), abs=1e-4)
+
+
+@pytest.mark.parametrize(('speed', 'acceleration', 'seconds'), [(1.0, 0.5, 14.0), (1.4, 0.98, 10.0), (2.0, 1.0, 8.0)])
+def test_a_trip_of_the_cart_takes_as_long_as_the_node_says(speed, acceleration, seconds):
+    cart = cart_on_trip('/cart', speed, acceleration)
+    assert cart.motion.duration_sec == pytest.approx(seconds, abs=1e-9)
+    assert cart.motion.end == State('STOPPED', pytest.approx(12.0))
+    assert cart.at(math.inf).sentence == f'cart has reached the end of the aisle after {seconds:.2f} s.'
+
+
+# -- the view of the robot -----------------------------------------------------------------------------------
+
+@pytest.fixture
+def robot(ros):
+    return ros.add(ClawbotNode, real_time=False)
+
+
+@pytest.mark.slow
+def test_a_picture_for_each_motion_words_for_each_thing_it_begins_to_do_and_nothing_while_it_stands(robot):
+    view, pictures, scenes = RobotView(robot), [], []
+    view._front.observe(lambda change: pictures.append(change.new), 'picture')
+    view._front.observe(lambda change: scenes.append(change.new), 'scene')
+    view.drive()
+    shows(view, 'SPEEDING UP')
+    for seconds, word in ((2.5, 'CRUISING'), (1.5, 'BRAKING'), (math.inf, 'STOPPED')):
+        robot.react([])  # as when a parameter is set to what it is
+        assert view._job.call_now(5.0)
+        robot.step(seconds)
+        shows(view, word)
+    end_sec = pytest.approx(robot.motion[0].duration_sec, abs=1e-4)
+    assert [(at_sec, word) for at_sec, word, *_ in scenes] == [
+        (0.0, 'SPEEDING UP'), (2.5, 'CRUISING'), (4.0, 'BRAKING'), (end_sec, 'STOPPED')]
+    assert ['@keyframes' in each for each in pictures] == [True, False]
+    robot.step(1000.0)
+    robot.react([])
+    wait_until(lambda: view._job.is_idle, 'the view to rest')
+    assert len(scenes) == 4 and len(pictures) == 2
+
+
+def test_what_changes_on_the_way_is_sent_from_where_the_robot_is(robot):
+    view = RobotView(robot)
+    view.drive()
+    shows(view, 'SPEEDING UP')
+    take = view._front.take
+    robot.step(1.0)
+    ParameterClient(robot).set_parameter('max_acceleration_mps2', 1.5)
+    shows(view, '1.50 m/s²')
+    assert 'Speed 0.50 m/s, 3.75 m to the wall' in view.text
+    assert f'translateX({1000 * 1.05 / 5.15:.3f}px)' in view._front.picture
+    view.drive()
+    assert view._job.call_now(5.0)
+    assert (view._front.take, view._front.scene[:2]) == (take + 2, [0.0, 'SPEEDING UP'])
+
+
+def test_what_is_set_while_it_stands_or_waits_is_seen_at_once(robot):
+    view, client = RobotView(robot), ParameterClient(robot)
+    client.set_parameters({'enable_safety_mode': False, 'simulation.ambient_temperature_c': -10})
+    shows(view, 'safety off')
+    view.drive()
+    shows(view, '-10 °C is below')
+    client.set_parameters({'simulation.ambient_temperature_c': -20})  # still too cold, so the robot waits on
+    shows(view, '-20 °C is below')
+
+
+@pytest.mark.slow
+def test_it_is_made_before_its_robot_and_follows_one_that_is_replaced_or_gone(ros):
+    view = RobotView('clawbot_node')
+    assert view.text == '/clawbot_node is not running. It comes back here when it does.'
+    robot = ros.add(ClawbotNode, real_time=False)
+    shows(view, 'READY. Clawbot stands at the start. Speed 0.00 m/s, 4.00 m to the wall, safety on.')
+    again = ros.add(ClawbotNode, real_time=False, ros_args=['-p', 'robot_name:=Second'])
+    shows(view, 'Second')
+    assert (robot._listeners, len(again._listeners)) == ([], 1)
+    ros.remove(again)
+    shows(view, '/clawbot_node is not running')
+    with pytest.raises(NodeNotFoundError):
+        view.drive()
+    press(view, 'drive')  # before the page knows that the robot is gone
+    assert view._front.scene == []
+    again = ros.add(ClawbotNode, real_time=False)
+    shows(view, 'READY')
+    view.close()
+    view.close()
+    assert again._listeners == [] and repr(view) == '<RobotView: /clawbot_node, closed>'
+
+
+# -- the view of the cart ------------------------------------------------------------------------------------
+
+@pytest.fixture
+def clock(monkeypatch):
+    """Let time pass for the view only when a test says so: ``clock[0] += 3``."""
+    now = [100.0]
+    monkeypatch.setattr(cart_module, 'time', SimpleNamespace(monotonic=lambda: now[0]))
+    return now
+
+
+def test_a_change_on_the_way_counts_from_there_and_one_after_the_arrival_moves_nothing(ros, clock):
+    ros.add(CartNode)
+    view, client = CartView('/cart_node'), ParameterClient('/cart_node')
+    shows(view, 'READY. cart_node stands at the beginning of the aisle. Speed 0.00 m/s, 0.0 s on its way, 1 m/s, 0.5')
+    view.drive()
+    clock[0] += 5  # 1 m in 2 s, and 3 m at 1 m/s: 8 m to go
+    client.set_parameters_atomically({'max_speed_mps': 2.0, 'max_acceleration_mps2': 1.0})
+    view.settle()
+    assert view.text.startswith('SPEEDING UP. cart_node is speeding up with 1.00 m/s², up to 2.00 m/s.')
+    assert 'Speed 1.00 m/s, 5.0 s on its way' in view.text
+    clock[0] += 60
+    view._follow()
+    # 1 s and 1.5 m up to 2 m/s, 2 s and 2 m to stop, and 4.5 m between: 5.25 s more.
+    assert view.text.startswith('STOPPED. cart_node has reached the end of the aisle after 10.25 s.')
+    client.set_parameter('max_speed_mps', 0.5)
+    view.settle()
+    assert view.text.startswith('STOPPED') and '@keyframes' not in view._front.picture
+
+
+@pytest.mark.slow
+def test_it_shows_a_cart_that_is_being_built_and_says_what_is_missing(ros):
+    class Unfinished(Node):
+        def __init__(self):
+            super().__init__('my_cart')
+            self.declare_parameter('max_speed_mps', 1.0)
+            self.declare_parameter('max_acceleration_mps2', -1.0)
+
+    view = CartView('/my_cart')
+    ros.add(Node, 'my_cart')
+    shows(view, '/my_cart cannot drive: max_speed_mps is not there.')
+    ros.add(Unfinished)
+    shows(view, '/my_cart cannot drive: max_acceleration_mps2 is -1.0.')
+    view.drive()
+    assert view._front.scene == []  # so its button is disabled
+    ParameterClient('/my_cart').set_parameter('max_acceleration_mps2', 0.5)
+    shows(view, 'READY')
