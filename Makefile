@@ -45,13 +45,14 @@ class: setup  ## a table of a class's progress files, and what to talk about: ma
 
 hub:  ## start JupyterHub for a class on this machine: see environment/jupyterhub/README.md
 	@$(SET_UP) build/jupyterhub requirements.lock requirements-hub.lock
-	@build/jupyterhub/bin/python environment/jupyterhub/hub.py $(ARGS)
+	@build/jupyterhub/bin/python -m jupyterhub --config environment/jupyterhub/jupyterhub_config.py $(ARGS)
 
-# Node.js comes with the packages of the tests; Pyodide, biome and TypeScript from npm.
+# Node.js comes with the packages of the tests; Pyodide, biome and TypeScript from npm. A file biome.jsonc would be taken
+# for the settings of environment/ alone.
 NODE := .venv/bin/node
-JS_TOOLS := node_modules/.package-lock.json
-$(JS_TOOLS): package.json package-lock.json | setup-all
-	@.venv/bin/npm ci --ignore-scripts --no-audit --no-fund --silent
+JS_TOOLS := environment/node_modules/.package-lock.json
+$(JS_TOOLS): environment/package.json environment/package-lock.json | setup-all
+	@.venv/bin/npm --prefix environment ci --ignore-scripts --no-audit --no-fund --silent
 
 # Tests mostly wait, so many workers share two cores, and what they wait for may take twice as long.
 SUITE := PARAM_TOOLS_PATIENCE=2 $(VENV) -m pytest --dist loadscope --no-loadscope-reorder --nbval
@@ -92,8 +93,8 @@ lint: setup-all $(JS_TOOLS)  ## check code, notebooks and spelling without runni
 	@$(VENV) -m codespell_lib --dictionary - --dictionary environment/words.txt
 	@$(VENV) -m mypy
 	@$(VENV) -m tests.tools.notebook_lint notebooks
-	@$(NODE) node_modules/.bin/biome check --error-on-warnings
-	@$(NODE) node_modules/.bin/tsc
+	@$(NODE) environment/node_modules/.bin/biome check --config-path environment/biome-config.jsonc --error-on-warnings
+	@$(NODE) environment/node_modules/.bin/tsc --project environment
 
 # The second lock is a part of the first, at the same versions.
 LOCK := environment/requirements
@@ -110,11 +111,11 @@ lock: setup-all  ## work out the locks in environment/ anew
 	@$(COMPILE) --group uv --output-file $(LOCK)-uv.lock
 	@$(UV_COMPILE) --python-platform wasm32-pyodide2024 --python-version 3.14 --group page --output-file $(LOCK)-page.lock \
 	    $(addprefix --no-emit-package ,$(NOT_IN_A_PAGE))
-	@.venv/bin/npm update --package-lock-only --omit-lockfile-registry-resolved --no-audit --no-fund
+	@.venv/bin/npm --prefix environment update --package-lock-only --omit-lockfile-registry-resolved --no-audit --no-fund
 
 # my_lessons/ is the learner's, and stays.
 clean:  ## remove everything that these targets made, but not your copies of the chapters
-	rm -rf .venv build node_modules .pytest_cache .ruff_cache .hypothesis
+	rm -rf .venv build environment/node_modules .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 .PHONY: help setup setup-all lab reset reset-progress class hub test test-all test-fast test-rare html lesson bench lint \

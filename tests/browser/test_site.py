@@ -142,7 +142,7 @@ FIREFOX_ENTER, FIREFOX_DOWN = '\ue007', '\ue015'
 def made(tmp_path_factory):
     """Build a site, and yield it. In CI a missing Pyodide is a failure; elsewhere the tests are skipped."""
     if not page_python.PYODIDE.exists():
-        missing.skip('there is no Pyodide in node_modules: `make html` gets it')
+        missing.skip('there is no Pyodide in environment/node_modules: `make html` gets it')
     folder = tmp_path_factory.mktemp('site')
     notebooks = folder / 'notebooks'
     notebooks.mkdir()

@@ -108,7 +108,7 @@ def test_the_lock_names_no_address(lock):
 
 
 def test_the_lock_of_the_javascript_tools_names_no_address_of_a_package():
-    packages = json.loads((ROOT / 'package-lock.json').read_text())['packages']
+    packages = json.loads((ROOT / 'environment' / 'package-lock.json').read_text())['packages']
     assert len(packages) > 3
     assert [name for name, package in packages.items() if 'resolved' in package] == []
     assert [name for name, package in packages.items() if name and 'integrity' not in package] == []

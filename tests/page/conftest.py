@@ -14,7 +14,7 @@ from tests.support.paths import NOTEBOOKS
 def _pyodide():
     """In CI a missing Pyodide is a failure; elsewhere the tests are skipped, and say why."""
     if not page_python.PYODIDE.exists():
-        missing.skip('there is no Pyodide in node_modules: `make lite` gets it')
+        missing.skip('there is no Pyodide in environment/node_modules: `make lite` gets it')
 
 
 @pytest.fixture(scope='session')

@@ -40,7 +40,7 @@ def test_the_old_site_stays_until_the_new_one_is_whole(tmp_path, monkeypatch):
 @pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
 def test_no_process_outlives_a_build(tmp_path, number):
     if not page_python.PYODIDE.exists():
-        missing.skip('there is no Pyodide in node_modules: `make html` gets it')
+        missing.skip('there is no Pyodide in environment/node_modules: `make html` gets it')
     cells = [new_markdown_cell('# 1 · A'), new_code_cell('import asyncio\nawait asyncio.sleep(100)')]
     nbformat.write(new_notebook(cells=cells), tmp_path / '1_a.ipynb')
     process = subprocess.Popen(

@@ -187,7 +187,8 @@ class CourseLab(Lab):
         super().__init__(folder, [])
         self.course = folder / 'course'
         self.copies = self.course / 'my_lessons'
-        shutil.copytree(ROOT / 'environment', self.course / 'environment')
+        shutil.copytree(ROOT / 'environment', self.course / 'environment',
+                        ignore=shutil.ignore_patterns('node_modules'))
         (self.course / 'notebooks').mkdir()
         for notebook in [ROOT / 'notebooks' / 'index.md', *notebooks]:
             shutil.copy(notebook, self.course / 'notebooks')

@@ -26,10 +26,10 @@ from param_tutorial.notebook.browser_kernel import STORED
 from param_tutorial.site.archive import PACKAGE_ROOT, ROOT
 
 VERSION = importlib.metadata.version('param-tutorial')
-PYODIDE = ROOT / 'node_modules' / 'pyodide'
+PYODIDE = ROOT / 'environment' / 'node_modules' / 'pyodide'
 # What is kept from one build to the next.
 WORK = ROOT / 'build' / 'page'
-PYODIDE_VERSION = json.loads((ROOT / 'package-lock.json').read_text(encoding='utf-8'))['packages'][
+PYODIDE_VERSION = json.loads((ROOT / 'environment' / 'package-lock.json').read_text(encoding='utf-8'))['packages'][
     'node_modules/pyodide']['version']
 _PYODIDE_FILES = ('pyodide.asm.mjs', 'pyodide.asm.wasm', 'pyodide.mjs')
 # Compiled, it brings Python into a page in a third of the time.

@@ -19,7 +19,7 @@ POLICY = ("default-src 'self' data: blob: 'unsafe-inline'; connect-src data: blo
           "script-src 'self' blob: 'unsafe-inline' 'unsafe-eval'; form-action 'self'")
 _HERE = Path(__file__).parent
 _PYTHON = 'python.js'
-_UNPACKER = ROOT / 'node_modules' / 'xz-decompress' / 'dist' / 'package' / 'xz-decompress.min.js'
+_UNPACKER = ROOT / 'environment' / 'node_modules' / 'xz-decompress' / 'dist' / 'package' / 'xz-decompress.min.js'
 # What a chapter's run depends on, beside the packages.
 _RUNS = ('kernel.js', 'run.mjs', 'running.py')
 
