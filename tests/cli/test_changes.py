@@ -41,8 +41,7 @@ def log(ros, tmp_path):
 
 @pytest.mark.slow
 def test_what_has_happened_is_told_and_brought_back(ros, log):
-    stdout, stderr, status = run('history', log, '--filter', 'name')
-    assert stdout.startswith('2 changes\n')
+    stdout, stderr, status = run('history', log)
     assert re.search(r"/simple_param_node  robot_name  changed  'Berta' +'Carla'\n", stdout)
     assert (stderr, status) == ('', 0)
     assert run('history', log, '/nobody')[0] == '0 changes\n'
@@ -57,8 +56,6 @@ def test_what_has_happened_is_told_and_brought_back(ros, log):
     stdout, _, status = run('diff', f'{log}@{first.time.isoformat()}', f'{log}@{second.time.isoformat()}')
     assert '1 difference, 8 the same' in stdout
     assert status == 1
-    text = run('history', log, '--at', first.time.isoformat())[0]
-    assert 'robot_name: Berta' in text
     stdout, stderr, status = run('restore', f'{log}@2001-01-01T00:00')
     assert 'does not reach back to' in stderr
     assert status == 1
@@ -71,14 +68,12 @@ def test_a_torn_log_is_read_and_the_line_is_named(write):
     assert stdout.startswith('1 change; unreadable: line 2\n')
     assert stderr == f'{path}: line 2 cannot be read, and was passed over\n'
     assert status == 0
-    assert run('history', path, '--format', 'json')[0] == path.read_text().splitlines()[0] + '\n'
 
 
 @pytest.mark.parametrize(('words', 'complaint'), [
     (['history', 'nowhere.jsonl'], 'cannot read nowhere.jsonl'),
     (['history', 'FILE'], 'FILE, line 1: this is no log of parameter changes'),
     (['watch'], 'This would keep the cell busy'),
-    (['watch', '--duration', '1', '--filter', '('], 'is not a regular expression'),
     (['watch', '--duration', '1', '--log', 'no/such/folder/x'], 'cannot write no/such/folder/x'),
     (['restore', 'FILE@soon'], 'this is no log'),
 ])

@@ -49,7 +49,6 @@ def test_github_annotations_and_the_order_of_files(ros, write):
 @pytest.mark.parametrize(('words', 'complaint'), [
     (['nowhere.yaml'], 'cannot read nowhere.yaml: No such file'),
     (['FILE', '--against', '/nobody'], 'there is no node /nobody'),
-    (['FILE', '--against', '/robots/**'], 'no running node matches /robots/**'),
     (['FILE', '--against', 'FILE'], 'it is no saved description'),
     (['FILE', '--against', 'nowhere.yaml'], 'cannot read nowhere.yaml'),
     (['FILE', '--format', 'xml'], "invalid choice: 'xml'"),

@@ -22,9 +22,8 @@ class Camera(Node):
 def test_all_nodes_are_saved_changed_compared_and_restored(ros, tmp_path):
     ros.add(SimpleParamNode)
     ros.add(Camera, '/left')
-    path, backup = tmp_path / 'monday.yaml', tmp_path / 'backup.yaml'
+    path = tmp_path / 'monday.yaml'
     assert run('snapshot', '--save', path) == (f'Saved 12 parameters of 2 nodes to {path}\n', '', 0)
-    assert run('diff', path, '/**') == (f'{path} → /**: 0 differences in 0 nodes, 2 nodes the same\n', '', 0)
     ParameterClient('/left/camera').set_parameter('rate', 15)
     ParameterClient('/simple_param_node').set_parameter('robot_name', 'Berta')
     stdout, stderr, status = run('diff', path, '/**')
@@ -54,7 +53,7 @@ rate       15       30      would be set
 '''
     assert status == 0
     assert ParameterClient('/left/camera').get_parameter('rate') == 15
-    stdout, stderr, status = run('restore', path, '--backup', backup)
+    stdout, stderr, status = run('restore', path)
     assert stdout == f'''\
 2 nodes from {path}: complete, 2 parameters set
 
@@ -63,8 +62,7 @@ node                parameter   wanted     outcome  reason
 /simple_param_node  robot_name  'Clawbot'  set
 '''
     assert (stderr, status) == ('', 0)
-    assert run('diff', path, '/**')[2] == 0
-    assert Snapshot.from_file(backup)['/left/camera']['rate'] == 15
+    assert run('diff', path, '/**') == (f'{path} → /**: 0 differences in 0 nodes, 2 nodes the same\n', '', 0)
 
 
 class Sparse(Node):
@@ -100,7 +98,7 @@ def test_an_array_that_was_empty_is_emptied_again(ros, tmp_path):
     class Planner(Node):
         def __init__(self):
             super().__init__('planner')
-            self.declare_parameters('', [('zones', ['hall']), ('speed', 1.0)])
+            self.declare_parameter('zones', ['hall'])
 
     node = ros.add(Planner)
     client = ParameterClient(node)
@@ -117,13 +115,6 @@ def test_an_array_that_was_empty_is_emptied_again(ros, tmp_path):
     assert (stderr, status) == ('', 0)
     assert (node.get_parameter('zones').type_, list(node.get_parameter('zones').value)) == (
         Parameter.Type.STRING_ARRAY, [])
-    # The head would say what is true no more.
-    client.set_parameters({'zones': ['yard'], 'speed': 2.0})
-    before = path.read_text()
-    _, stderr, status = run('snapshot', '/planner', '--update', path)
-    assert (stderr, status) == (f'{path} says at its head that zones of /planner is empty, and it is not any more; '
-                                'nothing was changed. Save a new snapshot with --save\n', 1)
-    assert path.read_text() == before
 
 
 def test_a_node_and_a_file_of_overrides_are_compared_on_what_the_file_holds(ros, write):
@@ -157,24 +148,11 @@ def test_a_node_that_hangs_is_reported_and_the_rest_is_complete(ros, silent, tmp
     assert list(Snapshot.from_file(path)) == ['/left/camera']
     assert run('diff', path, '/**', '--timeout', '0.5')[2] == 2
     path.write_text(path.read_text() + '/silent:\n  ros__parameters:\n    a: 1\n')
-    stdout, stderr, status = run('restore', path, '--timeout', '0.5', '--dry-run')
-    assert stdout == f'''\
-2 nodes from {path}: 0 differences, 0 would be set, 1 without an answer
-
-node     parameter  present  wanted  expected   reason
-/silent                              no answer
-'''
-    assert '/silent did not answer' in stderr
-    assert status == 1
-    stdout, stderr, status = run('restore', path, '--timeout', '0.5')
-    assert stdout == f'''\
-2 nodes from {path}: NOT COMPLETE, 1 without an answer
-
-node     parameter  wanted  outcome    reason
-/silent                     no answer
-'''
-    assert '/silent did not answer' in stderr
-    assert status == 1
+    for words in ((), ('--dry-run',)):
+        stdout, stderr, status = run('restore', path, '--timeout', '0.5', *words)
+        assert stdout.splitlines()[0].endswith('1 without an answer')
+        assert '/silent did not answer' in stderr
+        assert status == 1
 
 
 def test_one_table_of_many_nodes_says_what_was_set_and_what_was_rejected(ros, write):
@@ -192,11 +170,10 @@ def test_one_table_of_many_nodes_says_what_was_set_and_what_was_rejected(ros, wr
 
 @pytest.mark.parametrize(('words', 'complaint', 'expected'), [
     (['diff', '/nobody', '/nobody'], 'there is no node /nobody', 2),
-    (['diff', 'nowhere.yaml', '/**'], 'no running node matches', 2),
+    (['diff', 'nowhere.yaml', '/**'], 'no node is running', 2),
     (['diff', 'nowhere.yaml', 'nowhere.yaml'], 'cannot read nowhere.yaml', 2),
     (['restore', 'nowhere.yaml'], 'cannot read nowhere.yaml', 1),
     (['snapshot', '/nobody'], 'there is no node /nobody', 1),
-    (['snapshot', '/nobody[*'], 'no running node matches /nobody[*', 1),
     (['diff', '/a'], 'the following arguments are required: AFTER', 2),
 ])
 def test_what_is_not_there_gets_a_sentence(ros, words, complaint, expected):
@@ -204,19 +181,3 @@ def test_what_is_not_there_gets_a_sentence(ros, words, complaint, expected):
     assert (stdout, status) == ('', expected)
     assert complaint in stderr
     assert 'Traceback' not in stderr
-
-
-@pytest.mark.slow
-def test_one_parameter_of_all_nodes(ros, silent):
-    ros.add(Camera, '/left')
-    ros.add(Camera, '/right')
-    ros.add(SimpleParamNode)
-    ParameterClient('/right/camera').set_parameter('rate', 15)
-    stdout, stderr, status = run('param', 'get', '--all-nodes', 'rate')
-    assert stdout == '/left/camera: Integer value is: 30\n/right/camera: Integer value is: 15\n'
-    assert "'/silent'" in stderr or '/silent did not answer' in stderr
-    assert status == 1
-    silent.destroy_node()
-    assert run('param', 'get', '--all-nodes', '--hide-type', 'robot_name')[0] == '/simple_param_node: Clawbot\n'
-    assert run('param', 'get', '--all-nodes', 'nothing') == ('', 'Parameter not set\n', 1)
-    assert 'not allowed with a node' in run('param', 'get', '--all-nodes', '/n', 'rate')[1]

@@ -4,7 +4,6 @@ import argparse
 import contextlib
 import math
 import queue
-import re
 import time
 from pathlib import Path
 
@@ -15,15 +14,16 @@ from param_tools.cli.session import (
     Session,
     add_commands,
     add_graph_options,
-    compiled,
 )
-from param_tools.cli.system_arguments import pattern
+from param_tools.cli.system_arguments import full_name
 from param_tools.errors import ParameterToolError
-from param_tools.files.parsing import matches
 from param_tools.markup.wording import format_count
 from param_tools.ros.waiting import Steps
 from param_tools.systems.change_log import KINDS, ChangeFollower, ChangeLog, ChangeLogWriter, LoggedChange
 from param_tools.systems.snapshot import Snapshot
+
+# A log begins with the values that are there, which are no changes.
+_PRINTED = set(KINDS) - {'begin', 'seen'}
 
 
 def add_to(commands: Commands) -> None:
@@ -32,9 +32,7 @@ def add_to(commands: Commands) -> None:
 
 def add_watch_arguments(parser: argparse.ArgumentParser) -> None:
     add_graph_options(parser)
-    parser.add_argument('nodes', nargs='*', metavar='NODE',
-                        help='a node, or a pattern such as /robot1/** (default: all)')
-    parser.add_argument('--filter', metavar='REGEX', default='', help='print only parameters whose name matches')
+    parser.add_argument('nodes', nargs='*', metavar='NODE', help='name of a node (default: all nodes)')
     parser.add_argument('--log', metavar='FILE', help='append every change to this file, one JSON object in each line')
     parser.add_argument('--duration', type=float, metavar='N', help='end after N seconds (default: with Ctrl+C)')
     parser.set_defaults(verb=watch)
@@ -44,22 +42,20 @@ def watch(session: Session, args: argparse.Namespace) -> Steps:
     """Print changes until somebody ends it."""
     if session.in_notebook and args.duration is None:
         raise CommandFailed(session.instead_of(['watch', *args.nodes]) + ' Or say how long: --duration 10')
-    wanted = compiled(args.filter)
     session.wait_for_graph(args)
-    patterns = list(map(pattern, args.nodes))
     happened: queue.SimpleQueue[list[LoggedChange] | ParameterToolError] = queue.SimpleQueue()
     end = math.inf if args.duration is None else time.monotonic() + args.duration
     # Ctrl+C ends the command at any moment, without an error.
     with contextlib.suppress(KeyboardInterrupt), _writer(args.log) as writer:
         with contextlib.suppress(KeyboardInterrupt), ChangeFollower(
-                happened.put, nodes=patterns, trouble=happened.put, timeout_sec=args.timeout,
+                happened.put, nodes=map(full_name, args.nodes), trouble=happened.put, timeout_sec=args.timeout,
                 executor=session.executor):
             while time.monotonic() < end:
                 yield lambda: not happened.empty() or time.monotonic() >= end
                 while not happened.empty():
-                    _tell(session, happened.get(), wanted, writer)
+                    _print(session, happened.get(), writer)
         while not happened.empty():  # what the follower heard before the end
-            _tell(session, happened.get(), wanted, writer)
+            _print(session, happened.get(), writer)
     return 0
 
 
@@ -70,8 +66,7 @@ def _writer(path: str | None) -> 'contextlib.AbstractContextManager[ChangeLogWri
         raise CommandFailed(f'cannot write {path}: {error.strerror}') from None
 
 
-def _tell(session: Session, what: list[LoggedChange] | ParameterToolError, wanted: re.Pattern[str],
-          writer: ChangeLogWriter | None) -> None:
+def _print(session: Session, what: list[LoggedChange] | ParameterToolError, writer: ChangeLogWriter | None) -> None:
     if isinstance(what, ParameterToolError):
         session.complain(what)
         return
@@ -80,7 +75,7 @@ def _tell(session: Session, what: list[LoggedChange] | ParameterToolError, wante
             writer.write(what)
         except OSError as error:
             raise CommandFailed(f'the log cannot be continued: {error.strerror}') from None
-    shown = [each for each in what if each.kind not in ('begin', 'seen') and wanted.search(each.name)]
+    shown = [each for each in what if each.kind in _PRINTED]
     if what and what[0].kind == 'begin':
         nodes = len({each.node for each in what[1:]})
         session.print(f'Watching {format_count(len(what) - 1, "parameter")} of {format_count(nodes, "node")}')
@@ -91,39 +86,16 @@ def _tell(session: Session, what: list[LoggedChange] | ParameterToolError, wante
 
 def add_history_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('log', metavar='FILE', help='a log that `watch --log` has written')
-    parser.add_argument('nodes', nargs='*', metavar='NODE',
-                        help='a node, or a pattern such as /robot1/** (default: all)')
-    parser.add_argument('--filter', metavar='REGEX', default='', help='only parameters whose name matches')
-    parser.add_argument('--since', metavar='TIME', help='14:05, 14:05:30 or 2026-11-22T14:05')
-    parser.add_argument('--until', metavar='TIME', help='likewise')
-    parser.add_argument('--all', action='store_true', help='also the values that were there when watching began')
-    parser.add_argument('--at', metavar='TIME', help='write the values of that time as a parameter file')
-    parser.add_argument('--format', choices=('text', 'json'), default='text',
-                        help='json is the lines of the log (default: text)')
+    parser.add_argument('nodes', nargs='*', metavar='NODE', help='name of a node (default: all nodes)')
     parser.set_defaults(verb=history)
 
 
-def history(session: Session, args: argparse.Namespace) -> int:
-    """Print changes of the past, or the values that nodes had at a time."""
+def history(session: Session, args: argparse.Namespace) -> None:
+    """Print the changes of the past."""
     log = ChangeLog.read(args.log)
     if log.damaged:
         session.complain(f'{args.log}: line {", ".join(map(str, log.damaged))} cannot be read, and was passed over')
-    patterns = list(map(pattern, args.nodes))
-    compiled(args.filter)
-    if args.at is not None:
-        then = _state(log, args.log, args.at)
-        session.stdout.write(Snapshot({node: each for node, each in then.items() if not patterns or any(
-            matches(each, node) for each in patterns)}, {}, then.taken).dump().text)
-        return 0
-    since, until = (None if text is None else log.parse_time(text) for text in (args.since, args.until))
-    selected = log.select(nodes=patterns, names=args.filter, since=since, until=until,
-                          kinds=KINDS if args.all else set(KINDS) - {'begin', 'seen'})
-    if args.format == 'json':
-        for change in selected:
-            session.print(change.as_line())
-    else:
-        session.print(selected)
-    return 0
+    session.print(log.select(nodes=map(full_name, args.nodes), kinds=_PRINTED))
 
 
 def past(word: str) -> Snapshot | None:
@@ -148,4 +120,4 @@ def _state(log: ChangeLog, path: str, text: str) -> Snapshot:
 
 COMMANDS: CommandTable = {
     'watch': ('print every change of parameters, and keep a log of them', add_watch_arguments),
-    'history': ('print what a log holds, or the values at a time', add_history_arguments)}
+    'history': ('print the changes that a log holds', add_history_arguments)}

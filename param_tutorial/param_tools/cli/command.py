@@ -15,8 +15,8 @@ _MODULES = {'node': ['node'], 'param': ['param'], 'pkg': ['pkg'], 'run': ['run']
             'check': ['check', 'describe'], 'system': ['snapshot', 'diff', 'restore'],
             'changes': ['watch', 'history'], 'panel': ['panel']}
 
-# The genuine ros2 has these, too.
-_GENUINE = ('node', 'param', 'pkg', 'run', 'launch')
+# The commands that the genuine one has not.
+_OWN = ('check', 'describe', 'snapshot', 'diff', 'restore', 'watch', 'history', 'panel')
 
 # As `python -m param_tools`, also where a workspace that holds a build of this package has been sourced, which puts the
 # build in front: the folder of this package is named, and for this one process only.
@@ -57,7 +57,7 @@ def steps(argv: Sequence[str], session: Session) -> Steps:
         command = argv[0] if argv else ''
         # `ros2 check` cannot be typed: it is this program's own.
         called = '%ros2' if session.in_notebook else 'python -m param_tools'
-        parser = _parser(command, 'ros2' if command in ('', *_GENUINE) else called)
+        parser = _parser(command, called if command in _OWN else 'ros2')
         args = parser.parse_args(argv)
         if not hasattr(args, 'verb'):
             getattr(args, 'help_of', parser).print_help()

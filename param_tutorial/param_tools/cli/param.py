@@ -51,10 +51,7 @@ def add_to(commands: Commands) -> None:
 
     get = add_verb('get', get_parameter, 'print the value of a parameter')
     get.add_argument('--hide-type', action='store_true', help='print the value only')
-    get.add_argument('--all-nodes', action='store_true',
-                     help='print it for each node that has it; then no node is named (not in the genuine command)')
     get.add_argument('parameter_name', help='name of the parameter')
-    get.stands_for_first = '--all-nodes'
 
     set_ = add_verb('set', set_parameter, 'set a parameter')
     set_.add_argument('parameter_name', help='name of the parameter')
@@ -114,35 +111,12 @@ def _has_services(session: Session, node: NodeName) -> bool:
     return session.executor.services.is_ready(node.full_name, 'list_parameters')
 
 
-def get_parameter(session: Session, args: argparse.Namespace) -> int:
-    """Print one value, of one node or of all."""
-    if args.all_nodes:
-        return _get_from_all(session, args)
+def get_parameter(session: Session, args: argparse.Namespace) -> None:
     node = session.find(args)
     answer = session.call(node, 'get_parameters', GetParameters.Request(names=[args.parameter_name])).values
     if not answer:
         raise CommandFailed('Parameter not set')
     _print_value(session, answer[0], args)
-    return 0
-
-
-def _get_from_all(session: Session, args: argparse.Namespace) -> int:
-    session.wait_for_graph(args)
-    nodes = [each.full_name for each in listed_nodes(session, hidden=args.include_hidden_nodes)
-             if _has_services(session, each)]
-    answers = session.call_all(nodes, 'get_parameters', GetParameters.Request(names=[args.parameter_name]))
-    errors = {node: answer for node, answer in answers.items() if isinstance(answer, Exception)}
-    have = [node for node in nodes if node not in errors and answers[node].values
-            # rclcpp answers with "not set" for a parameter that it does not have, too.
-            and answers[node].values[0].type != values.NOT_SET.number]
-    for node in have:
-        session.print(f'{node}: ', sep='', end='')
-        _print_value(session, answers[node].values[0], args)
-    for error in errors.values():
-        session.complain(error)
-    if not have and not errors:
-        raise CommandFailed('Parameter not set')
-    return 1 if errors else 0
 
 
 def _print_value(session: Session, message: ParameterValue, args: argparse.Namespace) -> None:

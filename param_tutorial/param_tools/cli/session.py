@@ -184,18 +184,6 @@ class Printed(Exception):
 class CommandParser(argparse.ArgumentParser):
     """Raise what argparse would print: the streams of a command are not always those of the process."""
 
-    stands_for_first = ''
-    """An option with which the first argument is not given; that is then an empty text."""
-
-    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
-        # An optional argument before a required one would be passed over where an option stands between the two.
-        if not self.stands_for_first or self.stands_for_first not in args:
-            return super().parse_known_args(args, namespace)
-        found, unknown = super().parse_known_args(['', *args], namespace)
-        if unknown and not unknown[0].startswith('-'):
-            self.error(f'argument {self.stands_for_first}: not allowed with a node')
-        return found, unknown
-
     def error(self, message: str) -> NoReturn:
         text = self.format_usage()
         # Somebody may know it from the genuine ros2.

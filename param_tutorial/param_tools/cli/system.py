@@ -9,13 +9,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from param_tools import values
 from param_tools.cli import system_arguments
 from param_tools.cli.changes import past
 from param_tools.cli.session import CommandFailed, Commands, CommandTable, Session, add_commands, add_graph_options
 from param_tools.errors import ParameterToolError
 from param_tools.files import parameter_files
-from param_tools.files.editing import update_file
 from param_tools.systems.comparing import compare_systems
 from param_tools.systems.restoring import Preview, preview_all, restore_all
 from param_tools.systems.snapshot import FIRST_WORDS, Snapshot, all_parameters, read_saved
@@ -30,42 +28,18 @@ def add_to(commands: Commands) -> None:
 
 def add_snapshot_arguments(parser: argparse.ArgumentParser) -> None:
     add_graph_options(parser)
-    parser.add_argument('nodes', nargs='*', metavar='NODE', default=['/**'],
-                        help='a node, or a pattern such as /robot1/** (default: all nodes)')
-    where = parser.add_mutually_exclusive_group()
-    where.add_argument('--save', metavar='FILE', help='where to write it; by default to standard output')
-    where.add_argument('--update', metavar='FILE',
-                       help='change the values in this file, which was written by hand: comments and order stay')
+    parser.add_argument('nodes', nargs='*', metavar='NODE', default=[system_arguments.ALL_NODES],
+                        help='name of a node (default: all nodes)')
+    parser.add_argument('--save', metavar='FILE', help='where to write it; by default to standard output')
     parser.set_defaults(verb=snapshot)
 
 
 def snapshot(session: Session, args: argparse.Namespace) -> int:
     found = take(session, args.nodes, args)
-    if args.update is not None:
-        _update(session, found, args.update)
-    else:
-        dump = found.dump()
-        system_arguments.write(session, dump, args.save, nodes=len(found),
-                               parameters=sum(map(len, found.values())) - len(dump.left_out))
+    dump = found.dump()
+    system_arguments.write(session, dump, args.save, nodes=len(found),
+                           parameters=sum(map(len, found.values())) - len(dump.left_out))
     return 1 if found.unanswered else 0
-
-
-def _update(session: Session, found: Snapshot, path: str) -> None:
-    held = parameter_files.read_all(path, found)
-    for node, parameters in read_saved(path, found).items():
-        for name in parameters.keys() - held[node].keys() if node in found else ():
-            if not values.same(found[node].get(name, []), []):
-                raise CommandFailed(f'{path} says at its head that {name} of {node} is empty, and it is not any more; '
-                                    f'nothing was changed. Save a new snapshot with --save')
-    for node, parameters in found.items():
-        new = {name: parameters[name] for name in held.get(node, {}) if name in parameters}
-        try:
-            changed = update_file(path, node, new)
-        except OSError as error:
-            raise CommandFailed(f'cannot write {path}: {error.strerror}') from None
-        for name in changed:
-            before, after = values.format_change(held[node][name], parameters[name])
-            session.print(f'{node} {name}: {before} → {after}')
 
 
 def take(session: Session, words: list[str], args: argparse.Namespace) -> Snapshot:
@@ -171,12 +145,10 @@ def add_restore_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('file', metavar='FILE',
                         help='a snapshot, another parameter file, or a log and a time: changes.jsonl@14:05')
     parser.add_argument('nodes', nargs='*', metavar='NODE',
-                        help='only these nodes, or patterns such as /robot1/** (default: those that the file names)')
+                        help='only these nodes (default: those that the file names)')
     parser.add_argument('--dry-run', action='store_true', help='only say what would be set')
     parser.add_argument('--one-by-one', action='store_true',
                         help='if a node rejects all together, try each parameter for itself')
-    parser.add_argument('--skip-read-only', action='store_true', help='pass over read-only parameters')
-    parser.add_argument('--backup', metavar='FILE', help='save the parameters that the nodes have now first')
     parser.set_defaults(verb=restore)
 
 
@@ -190,19 +162,10 @@ def restore(session: Session, args: argparse.Namespace) -> int:
     if not wanted:
         raise CommandFailed(f'{args.file} holds nothing for these nodes' if args.nodes else
                             f'{args.file} names no node: say for which nodes it is')
-    return _bring_back(session, wanted, args)
-
-
-def _bring_back(session: Session, wanted: Mapping[str, Mapping[str, Any]], args: argparse.Namespace) -> int:
-    """Give nodes the values of a file, and say what became of each; return the exit status."""
     session.wait_for_graph(args)
-    if args.backup and not args.dry_run:
-        present = all_parameters(wanted, timeout_sec=args.timeout, executor=session.executor)
-        system_arguments.save(session, present.dump(), args.backup)
-
     graph = {'timeout_sec': args.timeout, 'executor': session.executor}
     result = preview_all(wanted, args.file, **graph) if args.dry_run else restore_all(
-        wanted, args.file, one_by_one=args.one_by_one, skip_read_only=args.skip_read_only, **graph)
+        wanted, args.file, one_by_one=args.one_by_one, **graph)
     if result.nodes or len(wanted) > 1:  # the error says all there is to say of one node
         session.print(result)
     system_arguments.report_unanswered(session, result.unanswered)

@@ -12,10 +12,10 @@ from param_tools.errors import NodeError, NodeNotFoundError
 from param_tools.files import descriptions
 from param_tools.files.descriptions import Descriptions
 from param_tools.files.parameter_files import Dump
-from param_tools.files.parsing import matches
 from param_tools.markup.wording import format_count
 
-HELP = 'a running node (/talker), several (/robot1/**, /**), or a file'
+ALL_NODES = '/**'
+HELP = f'a running node (/talker), all of them ({ALL_NODES}), or a file'
 
 
 def is_file(word: str) -> bool:
@@ -23,8 +23,8 @@ def is_file(word: str) -> bool:
     return Path(word).is_file() or '.' in word or '@' in word
 
 
-def pattern(word: str) -> str:
-    """Return a node's name, or a pattern of names, with the slash that one may leave out."""
+def full_name(word: str) -> str:
+    """Return a node's name with the slash that one may leave out."""
     return '/' + word.strip('/')
 
 
@@ -50,11 +50,11 @@ def save(session: Session, dump: Dump, path: str) -> None:
 def nodes_of(session: Session, word: str, args: argparse.Namespace) -> list[str]:
     """Return the running nodes that a word names, once they are known.
 
-    :param word: The name of a node, or a pattern as in a parameter file.
+    :param word: The name of a node, or ALL_NODES.
     :param args: Has the options of ``add_graph_options``.
     """
-    name = pattern(word)
-    if '*' not in name:
+    if word != ALL_NODES:
+        name = full_name(word)
         if not session.executor.services.find(name, at_least_sec=session.patience(args)):
             session.wait_for_graph(args)
             raise CommandFailed(str(NodeNotFoundError(name, session.executor.services.node_names())))
@@ -63,12 +63,9 @@ def nodes_of(session: Session, word: str, args: argparse.Namespace) -> list[str]
     session.wait_for_graph(args)
     from param_tools.ros.executor import TOOL_NODE_NAME
 
-    # A process that has just joined hears of names before it hears of what else a node has: see Session.node_names.
-    names = {each.full_name for each in session.node_names(hidden=args.include_hidden_nodes)}
-    found = sorted(node for node in names if matches(name, node) and node != f'/{TOOL_NODE_NAME}'
-                   and (args.include_hidden_nodes or '/_' not in node))
+    found = sorted({*session.executor.services.node_names(hidden=args.include_hidden_nodes)} - {f'/{TOOL_NODE_NAME}'})
     if not found:
-        raise CommandFailed(f'no running node matches {name}')
+        raise CommandFailed('no node is running')
     _report_twins(session, found, args)
     return found
 
@@ -95,7 +92,7 @@ def describe(session: Session, word: str, args: argparse.Namespace) -> Descripti
 
     found = describe_nodes(nodes_of(session, word, args), timeout_sec=args.timeout, executor=session.executor)
     report_unanswered(session, found.unanswered)
-    if pattern(word) == '/**' and not found.unanswered:
+    if word == ALL_NODES and not found.unanswered:
         found.complete = True
     return found
 
