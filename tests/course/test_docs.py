@@ -124,18 +124,6 @@ def test_what_check_prints_in_the_readme_is_what_it_prints(tmp_path):
     assert done.stdout == textwrap.dedent(said)
 
 
-def test_each_row_of_the_comparison_of_tools_names_tests_that_there_are():
-    page = ROOT / 'environment' / 'tools_compared.md'
-    rows = [line for line in page.read_text().splitlines() if re.search(r'\| (\*\*yes\*\*|partly) \|', line)]
-    assert rows
-    for row in rows:
-        links = re.findall(r'\]\((\S+) "(\S+)::(\w+)"\)', row)
-        assert links and len(links) == row.count(']('), row
-        for target, file, test in links:
-            assert (page.parent / target).resolve() == ROOT / file
-            assert f'def {test}(' in (ROOT / file).read_text(), test
-
-
 @pytest.mark.parametrize('name', param_tutorial.__all__)
 def test_public_names_exist_and_are_documented(name):
     assert getattr(param_tutorial, name).__doc__
