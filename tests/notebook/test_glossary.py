@@ -46,16 +46,6 @@ def test_one_word_is_looked_up(folder):
         Glossary.of(folder)['nobody']
 
 
-def test_a_course_without_words_is_none(tmp_path):
-    (tmp_path / '01.ipynb').write_text('{"cells": []}')
-    assert repr(Glossary.of(tmp_path)) == '(no words)'
-
-
-def test_a_folder_without_chapters_is_named(tmp_path):
-    with pytest.raises(FileNotFoundError, match='there is no chapter in'):
-        Glossary.of(tmp_path)
-
-
 def test_no_line_of_a_chapter_is_missed():
     chapters = list(NOTEBOOKS.glob('[0-9]*.ipynb'))
     glossary = Glossary.of(NOTEBOOKS)

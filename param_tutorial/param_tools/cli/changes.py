@@ -7,14 +7,7 @@ import queue
 import time
 from pathlib import Path
 
-from param_tools.cli.session import (
-    CommandFailed,
-    Commands,
-    CommandTable,
-    Session,
-    add_commands,
-    add_graph_options,
-)
+from param_tools.cli.session import CommandFailed, Commands, Session, add_graph_options
 from param_tools.cli.system_arguments import full_name
 from param_tools.errors import ParameterToolError
 from param_tools.markup.wording import format_count
@@ -27,10 +20,11 @@ _PRINTED = set(KINDS) - {'begin', 'seen'}
 
 
 def add_to(commands: Commands) -> None:
-    add_commands(commands, COMMANDS)
+    _add_watch_arguments(commands.add_parser('watch', help='print every change of parameters, and keep a log of them'))
+    _add_history_arguments(commands.add_parser('history', help='print the changes that a log holds'))
 
 
-def add_watch_arguments(parser: argparse.ArgumentParser) -> None:
+def _add_watch_arguments(parser: argparse.ArgumentParser) -> None:
     add_graph_options(parser)
     parser.add_argument('nodes', nargs='*', metavar='NODE', help='name of a node (default: all nodes)')
     parser.add_argument('--log', metavar='FILE', help='append every change to this file, one JSON object in each line')
@@ -84,7 +78,7 @@ def _print(session: Session, what: list[LoggedChange] | ParameterToolError, writ
     session.stdout.flush()
 
 
-def add_history_arguments(parser: argparse.ArgumentParser) -> None:
+def _add_history_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('log', metavar='FILE', help='a log that `watch --log` has written')
     parser.add_argument('nodes', nargs='*', metavar='NODE', help='name of a node (default: all nodes)')
     parser.set_defaults(verb=history)
@@ -116,8 +110,3 @@ def _state(log: ChangeLog, path: str, text: str) -> Snapshot:
         raise CommandFailed(f'{path} does not reach back to {text}'
                             + (f': it begins at {log.records[0].time:%Y-%m-%d %H:%M:%S}' if log else ''))
     return log.at(when)
-
-
-COMMANDS: CommandTable = {
-    'watch': ('print every change of parameters, and keep a log of them', add_watch_arguments),
-    'history': ('print the changes that a log holds', add_history_arguments)}

@@ -8,7 +8,7 @@ import tempfile
 from pathlib import Path
 
 from param_tools.cli import system_arguments
-from param_tools.cli.session import CommandFailed, Commands, CommandTable, Session, add_commands, add_graph_options
+from param_tools.cli.session import CommandFailed, Commands, Session, add_graph_options
 from param_tools.errors import ParameterToolError
 from param_tools.files.checking import Findings, check_files
 from param_tools.files.descriptions import Descriptions
@@ -17,10 +17,11 @@ _FORMATS = {'text': Findings.text, 'github': Findings.as_github}
 
 
 def add_to(commands: Commands) -> None:
-    add_commands(commands, COMMANDS)
+    _add_check_arguments(commands.add_parser('check', help='find the mistakes in parameter files'))
+    _add_describe_arguments(commands.add_parser('describe', help='save what nodes declare, for checks without them'))
 
 
-def add_check_arguments(parser: argparse.ArgumentParser) -> None:
+def _add_check_arguments(parser: argparse.ArgumentParser) -> None:
     add_graph_options(parser)
     parser.add_argument('files', nargs='+', metavar='FILE',
                         help='parameter files, in the order in which the nodes get them')
@@ -68,7 +69,7 @@ def _check_launch(session: Session, args: argparse.Namespace, against: Descripti
         return launch.check(against)
 
 
-def add_describe_arguments(parser: argparse.ArgumentParser) -> None:
+def _add_describe_arguments(parser: argparse.ArgumentParser) -> None:
     add_graph_options(parser)
     parser.add_argument('sources', nargs='+', metavar='SOURCE', help=system_arguments.HELP)
     parser.add_argument('--save', metavar='FILE', help='where to write it; by default to standard output')
@@ -82,8 +83,3 @@ def describe(session: Session, args: argparse.Namespace) -> int:
     system_arguments.write(session, found.dump(), args.save, nodes=len(found),
                            parameters=sum(len(each.parameters) for each in found.values()))
     return 1 if found.unanswered else 0
-
-
-COMMANDS: CommandTable = {
-    'check': ('find the mistakes in parameter files', add_check_arguments),
-    'describe': ('save what nodes declare, to check files without them', add_describe_arguments)}

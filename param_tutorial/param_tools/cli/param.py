@@ -11,6 +11,7 @@ from typing import Any
 import yaml
 from rcl_interfaces.msg import Parameter, ParameterDescriptor, ParameterValue
 from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters, SetParameters
+from rclpy.parameter import Parameter as NodeParameter
 from rclpy.parameter import parameter_dict_from_yaml_file
 
 from param_tools import values
@@ -26,7 +27,6 @@ from param_tools.cli.session import (
     compiled,
     without_services,
 )
-from param_tools.node.client import to_message
 from param_tools.ros import graph
 from param_tools.ros.executor import TOOL_NODE_NAME
 
@@ -134,8 +134,9 @@ def set_parameter(session: Session, args: argparse.Namespace) -> None:
     node = session.find(args)
     value = values.parse(args.value)
     # The genuine command knows nothing of the node's types, and takes an empty list for one of booleans.
-    _set(session, node, to_message(args.parameter_name, value, values.BOOL_ARRAY),
-         'Set parameter successful', 'Setting parameter failed')
+    kind = values.BOOL_ARRAY if values.is_empty_array(value) else values.type_of(value)
+    parameter = NodeParameter(args.parameter_name, NodeParameter.Type(kind.number), value)
+    _set(session, node, parameter.to_parameter_msg(), 'Set parameter successful', 'Setting parameter failed')
 
 
 def delete_parameter(session: Session, args: argparse.Namespace) -> None:

@@ -4,7 +4,6 @@ import argparse
 import importlib.util
 import os
 import pkgutil
-import shlex
 import signal
 import sys
 from collections.abc import Mapping, Sequence
@@ -28,7 +27,6 @@ class ProgramNotFound(CommandFailed):
 
 def add_to(commands: Commands) -> None:
     run = commands.add_parser('run', help='run a program of a package')
-    run.add_argument('--prefix', help="what goes before the program, e.g. --prefix 'gdb -ex run --args'")
     run.add_argument('package_name', help='name of the package')
     run.add_argument('executable_name', help='name of the program')
     run.add_argument('argv', nargs=argparse.REMAINDER, help='everything after it is passed to the program')
@@ -47,7 +45,7 @@ def run_program(session: Session, args: argparse.Namespace) -> Steps:
     command = find_program(args.package_name, args.executable_name)
     if session.in_notebook:
         raise CommandFailed(session.instead_of(['run', args.package_name, args.executable_name, *args.argv]))
-    command = [*shlex.split(args.prefix or ''), *command, *args.argv]
+    command = [*command, *args.argv]
     session.stdout.flush()
     session.stderr.flush()
     try:
@@ -83,7 +81,7 @@ def find_program(package: str, program: str, environment: Mapping[str, str] = os
     :raises ProgramNotFound: there is no such program in it.
     """
     try:
-        installed = installed_programs(package, environment)
+        installed = _installed_programs(package, environment)
     except index.PackageNotFound:
         return _provided_program(package, program, environment)
     paths = [path for path in installed if path.name == program]
@@ -94,7 +92,7 @@ def find_program(package: str, program: str, environment: Mapping[str, str] = os
     return [str(paths[0])]
 
 
-def installed_programs(package: str, environment: Mapping[str, str] = os.environ) -> list[Path]:
+def _installed_programs(package: str, environment: Mapping[str, str] = os.environ) -> list[Path]:
     """Return the programs that a package has in the install spaces that have been sourced.
 
     :param environment: Tells what has been sourced.

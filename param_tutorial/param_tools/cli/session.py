@@ -196,16 +196,6 @@ class CommandParser(argparse.ArgumentParser):
         raise Printed(self.format_help(), 0)
 
 
-# What a command does, and the function that adds its arguments to a parser; by the command's name.
-CommandTable: TypeAlias = dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]]
-
-
-def add_commands(commands: Commands, table: CommandTable) -> None:
-    """Add commands without verbs."""
-    for name, (explanation, add_arguments) in table.items():
-        add_arguments(commands.add_parser(name, help=explanation))
-
-
 def add_verbs(commands: Commands, command: str, explanation: str) -> Commands:
     """Add a command that has verbs, and return what its verbs are added to."""
     parser = commands.add_parser(command, help=explanation)

@@ -11,7 +11,7 @@ from typing import Any
 
 from param_tools.cli import system_arguments
 from param_tools.cli.changes import past
-from param_tools.cli.session import CommandFailed, Commands, CommandTable, Session, add_commands, add_graph_options
+from param_tools.cli.session import CommandFailed, Commands, Session, add_graph_options
 from param_tools.errors import ParameterToolError
 from param_tools.files import parameter_files
 from param_tools.systems.comparing import compare_systems
@@ -20,13 +20,15 @@ from param_tools.systems.snapshot import FIRST_WORDS, Snapshot, all_parameters, 
 
 
 def add_to(commands: Commands) -> None:
-    add_commands(commands, COMMANDS)
+    _add_snapshot_arguments(commands.add_parser('snapshot', help='save the parameters of many nodes'))
+    _add_diff_arguments(commands.add_parser('diff', help='compare nodes, files and snapshots'))
+    _add_restore_arguments(commands.add_parser('restore', help='bring saved parameters back'))
 
 
 # -- snapshot -----------------------------------------------------------------------------------------------
 
 
-def add_snapshot_arguments(parser: argparse.ArgumentParser) -> None:
+def _add_snapshot_arguments(parser: argparse.ArgumentParser) -> None:
     add_graph_options(parser)
     parser.add_argument('nodes', nargs='*', metavar='NODE', default=[system_arguments.ALL_NODES],
                         help='name of a node (default: all nodes)')
@@ -53,7 +55,7 @@ def take(session: Session, words: list[str], args: argparse.Namespace) -> Snapsh
 # -- diff ---------------------------------------------------------------------------------------------------
 
 
-def add_diff_arguments(parser: argparse.ArgumentParser) -> None:
+def _add_diff_arguments(parser: argparse.ArgumentParser) -> None:
     add_graph_options(parser)
     parser.add_argument('before', metavar='BEFORE', help=f'{system_arguments.HELP}: a snapshot, another parameter '
                                                          f'file, or a log and a time: changes.jsonl@14:05')
@@ -140,7 +142,7 @@ def _in_file(path: str, names: list[str]) -> _Side:
 # -- restore ------------------------------------------------------------------------------------------------
 
 
-def add_restore_arguments(parser: argparse.ArgumentParser) -> None:
+def _add_restore_arguments(parser: argparse.ArgumentParser) -> None:
     add_graph_options(parser)
     parser.add_argument('file', metavar='FILE',
                         help='a snapshot, another parameter file, or a log and a time: changes.jsonl@14:05')
@@ -170,9 +172,3 @@ def restore(session: Session, args: argparse.Namespace) -> int:
         session.print(result)
     system_arguments.report_unanswered(session, result.unanswered)
     return 0 if (not result.unanswered if isinstance(result, Preview) else result.complete) else 1
-
-
-COMMANDS: CommandTable = {
-    'snapshot': ('save the parameters of many nodes', add_snapshot_arguments),
-    'diff': ('compare nodes, files and snapshots', add_diff_arguments),
-    'restore': ('bring saved parameters back', add_restore_arguments)}

@@ -24,7 +24,6 @@ from param_tools.errors import ExecutorError
 from param_tools.panel.pending_clicks import from_pages
 from param_tools.ros import domain, host, stage
 from param_tutorial.notebook import stored
-from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.notebook.shell import Shell
 
 if TYPE_CHECKING:
@@ -225,7 +224,7 @@ def _instead_of(words: Sequence[str]) -> str:
 
 
 def _run(command: _Command) -> int:
-    with interruptible(), ExitStack() as stack:
+    with ExitStack() as stack:
         output: TextStream = sys.stdout
         if command.target is not None:
             output = stack.enter_context(_opened(Path(command.target).expanduser(), 'a' if command.append else 'w'))
