@@ -1,8 +1,5 @@
-"""The nodes on the stage that subscribe to /parameter_events: their QoS, another QoS for them, and what arrives."""
+"""The nodes on the stage that subscribe to /parameter_events: their QoS, and another QoS for them."""
 
-import contextlib
-import functools
-from collections.abc import Iterator
 from typing import Any
 
 from rclpy.node import Node
@@ -32,36 +29,6 @@ def subscriptions(ros: BackgroundExecutor) -> dict[str, tuple[Node, Subscription
             if each.topic_name == TOPIC:
                 found.setdefault(name_of(node), (node, each))
     return found
-
-
-@contextlib.contextmanager
-def arrivals(ros: BackgroundExecutor, sender: str) -> Iterator[set[str]]:
-    """Collect the names of the nodes on the stage whose callbacks get a message from a sender in the meantime."""
-    arrived: set[str] = set()
-
-    def watched(name: str, callback: Any) -> Any:
-        @functools.wraps(callback)
-        def hear(message: Any, *others: Any) -> Any:
-            if getattr(message, 'node', '') == sender:
-                arrived.add(name)
-            return callback(message, *others)
-        return hear
-
-    found = [(name, each, each.callback) for name, (_, each) in subscriptions(ros).items()]
-
-    def watch() -> None:
-        for name, each, callback in found:
-            each.callback = watched(name, callback)
-
-    def leave() -> None:
-        for _, each, callback in found:
-            each.callback = callback
-
-    ros.run(watch, 'watch the listeners')
-    try:
-        yield arrived
-    finally:
-        ros.run(leave, 'watch no more')
 
 
 def subscribe_again(ros: BackgroundExecutor, node: Node, old: Subscription, policy: str, word: str) -> None:

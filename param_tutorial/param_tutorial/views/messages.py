@@ -1,6 +1,5 @@
 """MessageView: a message on /parameter_events, from the node that has changed to each that listens."""
 
-from dataclasses import replace
 from typing import Any
 
 from rcl_interfaces.msg import ParameterEvent
@@ -10,17 +9,14 @@ from param_tools import values
 from param_tools.errors import NodeNotFoundError
 from param_tools.node.client import ParameterClient
 from param_tools.ros import stage
-from param_tools.ros.waiting import wait, wait_until
+from param_tools.ros.waiting import wait_until
 from param_tutorial.views.base import PictureView
 from param_tutorial.views.drawing.diagram import Diagram
 from param_tutorial.views.drawing.messages import draw_messages
 from param_tutorial.views.events import EventRow, changes_in
 from param_tutorial.views.handle import Choosing
-from param_tutorial.views.listeners import POLICIES, arrivals, qos_words, subscribe_again, subscriptions
+from param_tutorial.views.listeners import POLICIES, qos_words, subscribe_again, subscriptions
 from param_tutorial.views.ros_graph import ends_of_parameter_events
-
-# A message that takes longer does not arrive.
-_ARRIVAL_SEC = 2.0
 
 
 class MessageView(PictureView):
@@ -61,23 +57,18 @@ class MessageView(PictureView):
                 heard.append(changes)
 
         tells, offers, listens = ends_of_parameter_events(ros.tool_node)
-        here = subscriptions(ros)
-        hoped = {name for name in here if name in listens and not listens[name].problem}
         stop_listening = ros.on_parameter_event(hear)
         try:
-            with arrivals(ros, sender) as arrived:
-                self._result = self._client.set_parameter(self._name, self._value)
-                if self._result.successful:
-                    wait_until(lambda: heard, 'the message on /parameter_events')
-                    wait(lambda: hoped <= arrived, _ARRIVAL_SEC)
+            self._result = self._client.set_parameter(self._name, self._value)
+            if self._result.successful:
+                wait_until(lambda: heard, 'the message on /parameter_events')
         finally:
             stop_listening()
         told = [f'{each.kind} {each.name}' + ('' if each.kind == 'deleted'
                                               else f' = {values.format_value(each.value, 40)}')
                 for each in (heard[0] if heard else ())]
-        if told:
-            listens |= {name: replace(listens[name], problem='it did not arrive') for name in hoped - arrived}
-        self._choosing.things = {name: qos_words(each.qos_profile) for name, (_, each) in sorted(here.items())}
+        self._choosing.things = {name: qos_words(each.qos_profile)
+                                 for name, (_, each) in sorted(subscriptions(ros).items())}
         return draw_messages(tells, listens, sender if told else '', told, offers=offers)
 
     def _subscribe_again(self, chosen: tuple[str, str, str]) -> str:
