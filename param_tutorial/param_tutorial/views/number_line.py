@@ -9,8 +9,7 @@ from rclpy.node import Node
 from param_tools import values
 from param_tools.descriptor import Descriptor
 from param_tools.errors import ExecutorError
-from param_tools.node.client import ParameterClient, node_name
-from param_tools.node.live import LiveParameters
+from param_tools.node.client import ParameterClient, descriptor_of, node_name
 from param_tools.panel.view import FollowingView, nothing
 from param_tools.ros.executor import BackgroundExecutor
 from param_tutorial.views.base import AnimatedView, name_of
@@ -23,14 +22,14 @@ from param_tutorial.views.set_recorder import RecordedSet, follow_sets, record_s
 class NumberLineView(AnimatedView, FollowingView):
     """A parameter that holds a number, on a line with its range and steps; a rejected value springs back.
 
-    The picture plays anew whenever something happens, until the view is closed; it is sent to the page only then, and
-    the browser moves the rest. Show it as the last line of a cell. Below it, a reader types a value, and the node is
-    asked for that; but not where the picture stays as it is.
+    The picture plays anew whenever somebody sets the parameter, until the view is closed; it is sent to the page only
+    then, and the browser moves the rest. Show it as the last line of a cell. Below it, a reader types a value, and the
+    node is asked for that; but not where the picture stays as it is.
     """
 
     def __init__(self, node: str | Node | ParameterClient, name: str, value: Any = ...) -> None:
         """
-        :param node: The node, or its name. What it rejects is seen only if it is spun in this process.
+        :param node: The node, or its name; it has to be spun in this process, now or later.
         :param name: The parameter.
         :param value: Ask the node for this value, and show what comes of it and nothing after it; by default the view
             asks for nothing, and follows the node.
@@ -42,13 +41,9 @@ class NumberLineView(AnimatedView, FollowingView):
         self._followed: Node | None = None
         self._stop_sets: Callable[[], None] = nothing
         self._latest: RecordedSet | None = None
-        self._live: LiveParameters | None = None
         self._shown: tuple[Descriptor, float, RecordedSet | None] | None = None
         super().__init__(*([] if self._is_held else [Asking(self._ask, name=name)]))
         self._begin()
-        self._live = LiveParameters(self._subject, self._job.wake, names=[name])
-        self._live.first_look()
-        self._job.call_now(1.0)
         if self._is_held:
             record_set(node, name, value)
             self._job.call_now(1.0)
@@ -101,38 +96,34 @@ class NumberLineView(AnimatedView, FollowingView):
 
     def _say(self, words: str) -> None:
         """Put a sentence in the place of the picture."""
-        self._text = words
+        self._text, self._shown = words, None
         self._drawn.value = f'<div class="motion">{head(self._subject, words)}</div>'
 
     def _show(self) -> None:
         node, record = self._followed, self._latest
-        if self._live is None:
-            return
-        parameter = self._live.parameters.get(self._name)
-        if self._live.status or parameter is None:
-            self._shown = None
-            self._say(self._live.status or f'The node has no parameter {self._name} now.')
-            return
-        # What the node itself says is never older than the events.
-        stored = parameter.value if node is None or not node.has_parameter(self._name) \
-            else node.get_parameter_or(self._name).value
-        descriptor = parameter.descriptor
-        if not _is_number(stored):
-            self._shown = None
+        if node is None:
+            self._say(f'{self._subject} is not running. It comes back here when it does.')
+        elif not node.has_parameter(self._name):
+            self._say(f'The node has no parameter {self._name} now.')
+        elif not _is_number(stored := node.get_parameter_or(self._name).value):
             self._say(f'{self._name} is not a number.')
-            return
-        shown = descriptor, stored, record
-        if shown == self._shown:
-            return
-        before = None if self._shown is None else self._shown[1]
-        is_new = record is not None and (self._shown is None or record is not self._shown[2])
-        self._shown = shown
+        else:
+            shown = descriptor_of(self._name, node.describe_parameter(self._name)), stored, record
+            if shown != self._shown:
+                before, self._shown = self._shown, shown
+                self._draw(before, *shown)
+
+    def _draw(self, shown: tuple[Descriptor, float, RecordedSet | None] | None, descriptor: Descriptor, stored: float,
+              record: RecordedSet | None) -> None:
+        """Draw what the node has, and the latest set if it is new.
+
+        :param shown: What was drawn before; None if that was no number.
+        """
+        before = shown[1] if shown else None
         request = None
-        if record is not None and is_new:
+        if record is not None and (shown is None or record is not shown[2]):
             request = Request(record.value if _is_number(record.value) else None, values.format_value(record.value),
                               record.objection)
-        elif before is not None and before != stored:
-            request = Request(stored, values.format_value(stored))
         asked = None if request is None else request.value
         scale = Scale.around(*(each for each in (stored, before, asked) if each is not None))
         if descriptor.range:
@@ -145,8 +136,6 @@ class NumberLineView(AnimatedView, FollowingView):
     def _stop(self) -> None:
         super()._stop()
         self._stop_sets()
-        if self._live is not None:
-            self._live.close()
 
 
 def _is_number(value: object) -> TypeGuard[float]:
