@@ -11,7 +11,6 @@ import pytest
 
 import param_tutorial
 from tests.support.paths import ROOT
-from tests.tools import poster
 
 PAGES = ['README.md', 'notebooks/index.md', 'environment/README.md', 'environment/dependencies.md', 'tests/README.md',
          '.github/CONTRIBUTING.md', 'param_tutorial/README.md', 'param_tutorial/param_tools/README.md']
@@ -55,12 +54,6 @@ def test_the_start_page_promises_what_the_chapter_promises(name):
     assert len(promised) == 2
     for promise in promised:
         assert any(re.match(rf'{re.escape(promise)}(?!\w)', objective) for objective in objectives), promise
-
-
-def test_the_start_page_begins_with_the_robot_as_it_is_drawn_today():
-    index = (ROOT / 'notebooks/index.md').read_text()
-    assert re.match(r'# .+\n\n!\[.{40,}\]\(images/robot\.svg\)\n', index)
-    assert poster.FILE.read_text() == poster.poster(), 'run: python -m tests.tools.poster'
 
 
 def test_the_start_page_adds_up_its_times():

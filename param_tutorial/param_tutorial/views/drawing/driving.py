@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
-from param_tools.markup.styles import sheet, style
+from param_tools.markup.styles import style
 from param_tutorial.views.drawing import svg
 
 if TYPE_CHECKING:
@@ -216,24 +216,6 @@ def replay(vehicle: Vehicle) -> str:
     return f'{STYLE}<div class="robot-view">{picture}</div>'
 
 
-# A file has no page around it whose colors it could take, but it may ask the system.
-_DARK = ('@media (prefers-color-scheme: dark) { .robot-stage { --jp-layout-color1: #111; --jp-layout-color2: #333; '
-         '--jp-ui-font-color1: #eee; --jp-border-color2: #616161; --jp-brand-color1: #64b5f6; } }')
-
-
-def poster(vehicle: Vehicle, *, times: int, pause_sec: float) -> str:
-    """Return an SVG file in which a motion is shown several times.
-
-    :param times: How often; then it stands at its goal.
-    :param pause_sec: How long it stands there each time.
-    """
-    animation = _Animation('robot', vehicle, times=times, pause_sec=pause_sec)
-    end = vehicle.at(math.inf)
-    return (f'<svg xmlns="http://www.w3.org/2000/svg" class="robot-stage" viewBox="0 0 {WIDTH} {HEIGHT}" role="img" '
-            f'aria-label="{html.escape(end.text)}">\n<style>\n{sheet("param_tutorial/views/drawing/track.css")}{_DARK}\n'
-            f'</style>\n{animation.keyframes()}\n{_layers(end, animation)}</svg>\n')
-
-
 def paint(name: str) -> int:
     """Return the number of the color and the pattern with which something of this name is painted."""
     return zlib.crc32(name.strip().encode()) % _PAINTS
@@ -247,7 +229,7 @@ def _starts_sec(motion: 'Motion') -> list[float]:
 class _Animation:
     """A motion as CSS: one step of the animation for each phase, and the numbers as a strip of film."""
 
-    def __init__(self, name: str, vehicle: Vehicle, *, times: int = 1, pause_sec: float = 0.0, is_told: bool = False):
+    def __init__(self, name: str, vehicle: Vehicle, *, is_told: bool = False):
         """
         :param name: Of the animation; must differ from those of all other pictures on the page.
         :param is_told: Whether a script tells the scenes, and with them how the cargo leans: each part that moves by
@@ -257,8 +239,8 @@ class _Animation:
         self.is_told = is_told
         self._kinds = [kind for kind in _KINDS if kind != 'cargo' or not is_told]
         self._vehicle, self._motion = vehicle, vehicle.motion
-        self._total_sec = self._motion.duration_sec + pause_sec
-        self._timing = f'{self._total_sec:.4f}s linear {f"{times} " if times > 1 else ""}both'
+        self._total_sec = self._motion.duration_sec
+        self._timing = f'{self._total_sec:.4f}s linear both'
         # Digits that change with each frame could not be read.
         self._ticks = min(_MAX_TICKS, math.ceil(self._motion.duration_sec / _TICK_SEC))
 
@@ -306,10 +288,7 @@ class _Animation:
             if kind == 'ray':
                 yield from (self._step(kind, begin_sec + elapsed_sec, phase.at(elapsed_sec), 'step-end')
                             for elapsed_sec in _jumps_sec(self._vehicle, phase))
-        end = _css(kind, self._vehicle, self._motion.end)
-        if self._total_sec > self._motion.duration_sec:
-            yield f'{100 * self._motion.duration_sec / self._total_sec:.4f}% {{{end}}}'
-        yield f'100% {{{end}}}'
+        yield f'100% {{{_css(kind, self._vehicle, self._motion.end)}}}'
 
     def _step(self, kind: str, at_sec: float, state: 'State', timing: str) -> str:
         return (f'{100 * at_sec / self._total_sec:.4f}% {{{_css(kind, self._vehicle, state)}'
