@@ -69,7 +69,7 @@ def check_page(page):
     shift = page.evaluate('window.layoutShift')
     # What is closed would not be looked at.
     page.evaluate("document.querySelectorAll('details').forEach(each => each.open = true)")
-    page.evaluate("document.querySelectorAll('.lesson-look [aria-expanded=false]').forEach(each => each.click())")
+    page.evaluate("document.querySelectorAll('.lesson-look button').forEach(each => each.click())")
     # Who may scroll is told in the next frame, and by the theme's script in 300 ms.
     with contextlib.suppress(PlaywrightTimeoutError):
         page.wait_for_function(f'!({_SCROLLS_UNNOTICED})().length', timeout=5000)

@@ -1,11 +1,12 @@
-"""The widget in which a learner commits to a prediction, and then sees what became of it.
+"""The widget in which a learner commits to a prediction, and then sees the verdict.
 
-It never holds up a cell. What is right it says only after another cell has run, which is the one that decides; a
-learner who has run that cell already is told at once, and so is one who recalls an earlier chapter. What gives the
-answer away is veiled by ``notebook.veil`` until then.
+``prediction.js`` is the form, here and on the website: it reads the answer and shows the verdict. The widget keeps the
+answer, and tells the form when another cell has run, which is the one that decides; it never holds up a cell. Until
+then ``notebook.veil`` hides what gives the answer away.
 """
 
 import html
+import json
 import weakref
 from collections.abc import Callable
 from typing import Any
@@ -16,9 +17,9 @@ from param_tools.markup.scripts import bundle
 from param_tools.markup.styles import sheet, style
 from param_tools.markup.tables import with_code
 from param_tools.panel.beside_cells import answer_beside_cells
-from param_tools.panel.close_with_cell import close_looks, close_with_cell, this_cell
+from param_tools.panel.close_with_cell import close_looks, close_with_cell
 from param_tools.panel.front import Front
-from param_tutorial.exercises.prediction import ASK_AGAIN, MIME_TYPE, Choice, Prediction
+from param_tutorial.exercises.prediction import MIME_TYPE, Choice, Prediction, wrong
 from param_tutorial.notebook import veil
 
 STYLE = style('param_tutorial/exercises/prediction.css')
@@ -33,12 +34,11 @@ class PredictionView(Front):
     _css = sheet('param_tutorial/exercises/prediction.css')
     markup = traitlets.Unicode().tag(sync=True)
     answer = traitlets.Unicode().tag(sync=True)
-    """The choice, or what is typed."""
-    is_committed = traitlets.Bool().tag(sync=True)
-    said = traitlets.Unicode().tag(sync=True)
-    """What became of the answer, as HTML."""
-    right = traitlets.Unicode().tag(sync=True)
-    """The text of the right choice; empty until the verdict."""
+    """What the learner has committed to: a choice's text, or another number as it was typed."""
+    is_decided = traitlets.Bool().tag(sync=True)
+    """True if the form may show the verdict."""
+    note = traitlets.Unicode().tag(sync=True)
+    """What the learner should know if the answer could not be remembered, as HTML."""
 
     def __init__(self, prediction: Prediction, remember: Remember):
         """
@@ -47,10 +47,7 @@ class PredictionView(Front):
         """
         self.prediction = prediction
         self._remember = remember
-        self._note = ''
-        self._next_cell_has_run = not prediction.is_decided_by_a_cell
-        self._decided_by: str | None = None
-        super().__init__(markup=draw_form(prediction))
+        super().__init__(markup=draw_form(prediction), is_decided=not prediction.is_decided_by_a_cell)
         answer_beside_cells(self)
         self.on_msg(self._on_message)
         if prediction.is_decided_by_a_cell:
@@ -71,36 +68,25 @@ class PredictionView(Front):
         close_looks(self)
         super().close()
 
-    def commit(self) -> None:
-        """Lock the answer in, and say what became of it as soon as it can be known; ask again for a number."""
+    def commit(self, answer: str) -> None:
+        """Lock an answer in: a choice's text, or another number as it was typed."""
         # A cell that decides may end in one thread while the learner commits in another.
-        with self.drawing:
-            if self.is_committed or not self.answer.strip():
+        with self.drawing, self.hold_sync():
+            if self.answer:
                 return
-            if not self.prediction.can_read(self.answer):
-                self.said = with_code(ASK_AGAIN)
-                return
-            choice = self.prediction.choice(self.answer)
-            self._note = self._remember(self.prediction.number, choice.text, choice.is_right)
-            self._lock()
-
-    def skip(self) -> None:
-        """Show what is veiled; the learner may still commit."""
+            choice = self.prediction.choice(answer)
+            self.note = with_code(self._remember(self.prediction.number, choice.text, choice.is_right))
+            self.answer = choice.text
         veil.lift(self.prediction.number)
 
-    def on_cell_end(self, cell: str | None) -> dict[str, str]:
-        """Take notice that a later cell has run.
+    def decide(self) -> dict[str, str]:
+        """Let the form show the verdict: a later cell has run.
 
-        :param cell: Its id; None where it has none.
-        :return: What to show below its output, where the learner looks: the verdict, if this cell decides it.
+        :return: The verdict, to show below that cell's output, where the learner looks; nothing without an answer.
         """
         with self.drawing:
-            if not self._next_cell_has_run:
-                self._next_cell_has_run, self._decided_by = True, cell
-                self._say()
-            elif cell is None or cell != self._decided_by:
-                return {}
-            if not self.is_committed:
+            self.is_decided = True
+            if not self.answer:
                 return {}
             choice = self.prediction.choice(self.answer)
             return {'text/html': f'{STYLE}<div class="param-predict"><p>You predicted: '
@@ -109,15 +95,9 @@ class PredictionView(Front):
 
     def _on_message(self, _widget: object, content: dict[str, Any], _buffers: object) -> None:
         if content.get('do') == 'commit':
-            self.answer = str(content.get('answer', ''))
-            self.commit()
+            self.commit(str(content['answer']))
         elif content.get('do') == 'skip':
-            self.skip()
-
-    def _lock(self) -> None:
-        self.is_committed = True
-        veil.lift(self.prediction.number)
-        self._say()
+            veil.lift(self.prediction.number)
 
     def _go_on(self) -> None:
         """Take over what an earlier view of the same prediction was committed to, if it is still undecided.
@@ -126,32 +106,18 @@ class PredictionView(Front):
         """
         earlier = _latest.get(self.prediction.number)
         _latest[self.prediction.number] = self
-        if earlier is not None and earlier.is_committed and not earlier._next_cell_has_run:
-            self.answer, self._note = earlier.answer, earlier._note
-            self._lock()
-
-    def _say(self) -> None:
-        if not self.is_committed:
-            return
-        if not self._next_cell_has_run:
-            is_running = _watch.is_running_for(self)
-            self.said = 'Wait for the cell that is running.' if is_running else 'Now run the next cell.'
-            return
-        with self.hold_sync():
-            self.right = next(each.text for each in self.prediction.choices if each.is_right)
-            self.said = f'{verdict(self.prediction, self.prediction.choice(self.answer))} {with_code(self._note)}'
+        if earlier is not None and not earlier.is_decided:
+            self.answer, self.note = earlier.answer, earlier.note
 
 
-def draw_form(prediction: Prediction) -> str:
-    """Return the HTML of a question with its choices, or a box for a value, and a button."""
-    return (f'<form class="param-predict" autocomplete="off">{draw_question(prediction)}'
-            f'<p class="param-predict-buttons"><button type="submit" class="param-predict-commit">Commit</button>'
-            f'<button type="button" class="param-predict-skip">Skip</button></p>'
-            f'<p class="param-predict-says" role="status"></p></form>')
+def draw_form(prediction: Prediction, linked: Callable[[str], str] = str) -> str:
+    """Return the HTML of a question, with what its form has to know.
 
-
-def draw_question(prediction: Prediction) -> str:
-    """Return the HTML of a question with its choices, or a box for a value: what stands in a form."""
+    :param linked: Returns a verdict with links in it.
+    """
+    facts = {'verdicts': {each.text: linked(verdict(prediction, each)) for each in prediction.choices},
+             'right': next(each.text for each in prediction.choices if each.is_right),
+             'otherwise': linked(verdict(prediction, wrong('', prediction.otherwise))) if prediction.is_typed else None}
     # Or JupyterLab takes the arrow keys for itself, and selects another cell.
     common = 'name="answer" autocomplete="off" data-lm-suppress-shortcuts="true"'
     if prediction.is_typed:
@@ -159,8 +125,13 @@ def draw_question(prediction: Prediction) -> str:
     else:
         answers = ''.join(f'<label><input type="radio" {common} value="{html.escape(each.text)}">'
                           f'<span>{with_code(each.text)}</span></label>' for each in prediction.choices)
-    return (f'<fieldset><legend class="param-predict-question"><b>{prediction.word}</b> · '
-            f'{with_code(prediction.question)}</legend>{answers}</fieldset>')
+    return (f'<form class="param-predict" autocomplete="off" '
+            f'data-facts="{html.escape(json.dumps(facts, ensure_ascii=False))}">'
+            f'<fieldset><legend class="param-predict-question"><b>{prediction.word}</b> · '
+            f'{with_code(prediction.question)}</legend>{answers}</fieldset>'
+            f'<p class="param-predict-buttons"><button type="submit" class="param-predict-commit" disabled>Commit'
+            f'</button><button type="button" class="param-predict-skip">Skip</button></p>'
+            f'<p class="param-predict-says" role="status"></p></form>')
 
 
 def verdict(prediction: Prediction, choice: Choice) -> str:
@@ -170,42 +141,38 @@ def verdict(prediction: Prediction, choice: Choice) -> str:
 
 
 class _Watch:
-    """Knows which predictions have been shown, and tells them when a later cell has run."""
+    """Knows which predictions wait for a cell, and decides them when one that began later has run."""
 
     def __init__(self) -> None:
         self._shell: Any = None
         self._views: weakref.WeakSet[PredictionView] = weakref.WeakSet()
-        # The views that were on the page when the running cell began; None if it shows a prediction itself.
-        self._before: list[PredictionView] | None = None
+        # Those that were on the page when the running cell began; none if it shows a prediction itself.
+        self._before: list[PredictionView] = []
 
     def add(self, view: PredictionView) -> None:
-        """Tell a view when the next cell has run; at once where there are no cells."""
+        """Decide a view when the next cell has run; at once where there are no cells."""
         from IPython import get_ipython
 
         shell = get_ipython()
         if shell is None:
-            view.on_cell_end(None)
+            view.decide()
             return
         if shell is not self._shell:
             self._shell = shell
             shell.events.register('pre_run_cell', self._on_begin)
             shell.events.register('post_run_cell', self._on_end)
-        self._before = None
+        self._before = []
         self._views.add(view)
-
-    def is_running_for(self, view: PredictionView) -> bool:
-        """True if a cell is running that was started when the view was on the page."""
-        return view in (self._before or ())
 
     def _on_begin(self, _: Any) -> None:
         self._before = [each for each in self._views if each.comm is not None]
 
     def _on_end(self, _: Any) -> None:
-        cell, _ = this_cell()
-        for view in self._before or ():
-            if shown := view.on_cell_end(cell):
+        for view in self._before:
+            self._views.discard(view)
+            if shown := view.decide():
                 self._shell.display_pub.publish(shown)
-        self._before = None
+        self._before = []
 
 
 _watch = _Watch()

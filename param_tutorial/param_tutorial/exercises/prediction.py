@@ -3,22 +3,11 @@
 A recall is its sister: a question about an earlier chapter, which no cell has to decide.
 """
 
-import re
 from dataclasses import dataclass
 from typing import ClassVar, NamedTuple
 
 # In the output of a cell that shows a prediction: its number, so that a page of the website can show it as a form.
 MIME_TYPE = 'application/x-param-tutorial-prediction+json'
-
-NUMBER = (r'^\s*(?:([+-]?[1-9][0-9]{0,2}(?:,[0-9]{3})+(?:\.[0-9]+)?)|'
-          r'([+-]?(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?))'
-          r'\s*(?:[^0-9\s.,:;/()!?&+*=<>-]\S*)?\s*$')
-"""A typed number as Python and the website's JavaScript read it, with or without a unit: ``60``, ``60 m``, ``60,0``.
-
-The first group is a number whose commas stand between thousands. In the second, a comma is the decimal point.
-"""
-ASK_AGAIN = 'Please answer with a number, such as `42` or `0.5`. A unit may follow.'
-"""What is said to a typed answer that is no number. It does not count."""
 
 
 class Choice(NamedTuple):
@@ -68,26 +57,17 @@ class Prediction:
         """True if the learner types a number, and does not choose."""
         return bool(self.otherwise)
 
-    def can_read(self, text: str) -> bool:
-        """Return False for a typed answer that is no number; the learner is asked again."""
-        return not self.is_typed or parse_number(text) is not None
-
     def choice(self, text: str) -> Choice:
         """Return what belongs to an answer.
 
-        :raises KeyError: it is none of the choices or, where a number is typed, no number.
+        :raises KeyError: it is none of the choices where the learner chooses.
         """
         for each in self.choices:
-            if self.plain(each.text) == self.plain(text):
+            if each.text == text:
                 return each
-        if not self.is_typed or not self.can_read(text):
+        if not self.is_typed:
             raise KeyError(text)
         return wrong(text, self.otherwise)
-
-    def plain(self, text: str) -> str:
-        """Return an answer as it is compared: ``150 rpm`` is ``150.0``, and ``True`` is ``true``."""
-        number = parse_number(text) if self.is_typed else None
-        return text.strip().casefold() if number is None else repr(number)
 
     @property
     def text(self) -> str:
@@ -116,12 +96,3 @@ class Recall(Prediction):
     @property
     def pointer(self) -> str:
         return f'You learned it in chapter {self.chapter}, “{self.section}”.'
-
-
-def parse_number(text: str) -> float | None:
-    """Return the number in a typed answer; None if there is none."""
-    found = re.search(NUMBER, text.strip())
-    if found is None:
-        return None
-    grouped, plain = found.groups()
-    return float(grouped.replace(',', '') if grouped else plain.replace(',', '.'))

@@ -2,7 +2,7 @@
 
 Hidden are texts and outputs up to the next heading, or to the next prediction, which hides what follows it. The code
 stays. ``veil.js`` does it, in the JupyterLab that the course starts; in any other program nothing is hidden, nor once
-the kernel has ended that could show it again.
+the kernel has ended that could show it again. A page of the website hides the same: ``site/scripts/predictions.js``.
 
 A teacher turns it off with ``PARAM_TUTORIAL_VEIL=off`` in the environment, or ``%env`` in a cell above the first one.
 """

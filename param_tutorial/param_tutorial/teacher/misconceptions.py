@@ -94,7 +94,5 @@ def stuck(students: list[Student]) -> list[Stuck]:
 
 def _choice(question: Prediction, text: str, *, is_right: bool) -> Choice:
     """Return the choice that an answer of a file names; a choice of its own for one that the course no longer has."""
-    try:
-        return question.choice(text)
-    except KeyError:
-        return Choice(text, '', is_right)
+    found = next((each for each in question.choices if each.text == text), Choice(text, question.otherwise, False))
+    return found if found.is_right == is_right else Choice(text, '', is_right)

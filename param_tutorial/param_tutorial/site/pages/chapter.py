@@ -7,13 +7,13 @@ from pathlib import Path
 import nbformat
 
 from param_tutorial.exercises import EXERCISES, PREDICTIONS, RECALLS
+from param_tutorial.exercises.predicting import STYLE, draw_form
 from param_tutorial.exercises.prediction import MIME_TYPE
 from param_tutorial.notebook.stored import WIDGET
 from param_tutorial.site.live.running import EXPLAINED, LiveCell, LiveChapter
 from param_tutorial.site.live.stills import still
 from param_tutorial.site.pages import drawing
 from param_tutorial.site.pages.links import LAB, NOTEBOOKS, Links
-from param_tutorial.site.pages.predictions import draw_prediction
 
 # The folder and the archive of the course that the site offers.
 COURSE = 'param-course'
@@ -85,7 +85,10 @@ def _draw_predictions(notebook: nbformat.NotebookNode, links: Links) -> None:
             if MIME_TYPE in output.get('data', {}):
                 number = output.data[MIME_TYPE]['number']
                 prediction = PREDICTIONS.get(number) or RECALLS[number]
-                output.data = nbformat.from_dict({'text/html': draw_prediction(prediction, links.in_verdict)})
+                decided = ' data-decided' if prediction.is_decided_by_a_cell else ''
+                output.data = nbformat.from_dict({'text/html': (
+                    f'<div class="lesson-prediction" id="question-{number}" data-number="{number}"{decided}>{STYLE}'
+                    f'{draw_form(prediction, links.in_verdict)}</div>')})
                 cell.metadata.tags = [*cell.metadata.get('tags', ()), 'remove-input']
 
 

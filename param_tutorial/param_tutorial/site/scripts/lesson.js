@@ -2,7 +2,7 @@
 
 import {all, make, one} from '../../../param_tools/panel/dom.js';
 import {copy} from './clipboard.js';
-import {askForPrediction, foldAnswers} from './predictions.js';
+import {askForPredictionOf, hideAnswers} from './predictions.js';
 import {beginProgress} from './progress.js';
 import {reachPictures, wrapSentences} from './wide.js';
 
@@ -31,9 +31,7 @@ export async function beginLesson() {
   reachPictures(document);
   offerCopies();
   const remembered = beginProgress();
-  for (const form of all(document, '.lesson-prediction', HTMLFormElement)) {
-    askForPrediction(form, JSON.parse(one(form, 'script').textContent ?? ''));
-  }
+  all(document, '.lesson-prediction').forEach(askForPredictionOf);
   await remembered;
   document.documentElement.dataset.lesson = 'ready';
 }
@@ -41,7 +39,7 @@ export async function beginLesson() {
 /** Lay out what has arrived of the page, before it is drawn. */
 function layOut() {
   wrapSentences(document);
-  foldAnswers();
+  hideAnswers();
 }
 
 const arriving = new MutationObserver(layOut);

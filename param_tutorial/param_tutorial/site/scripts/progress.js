@@ -209,7 +209,7 @@ function tellDue(line) {
   const due = Object.entries(lessons).flatMap(([name, {answers}]) =>
     Object.entries(answers)
       .filter(([number, answer]) => isDue(number, answer))
-      .map(([number]) => make('a', {href: `${name}.html#recall-${number}`}, number)),
+      .map(([number]) => make('a', {href: `${name}.html#question-${number}`}, number)),
   );
   if (!due.length) return;
   const links = due.flatMap((link, at) => (at ? [', ', link] : [link]));
