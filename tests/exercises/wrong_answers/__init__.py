@@ -1,7 +1,8 @@
 """For each exercise the wrong answers that people give, one module for each chapter.
 
 {exercise: [(replacements, count, word), …]}: what is replaced in the solution, how many requirements are still met,
-and a word that the check has to find.
+and a word that the check has to find. No two assert the same finding. The first ones of an exercise, as many as it has
+requirements, are one for each requirement that has any: `make test` tries them, and `make test-rare` all.
 
 RIGHT has answers that do what is asked in an unusual way: {exercise: [replacements, …]}.
 """

@@ -8,8 +8,6 @@ _START = ("        start = self.validate(self.get_parameters(['low_c', 'high_c']
           '            raise ValueError(start.reason)\n')
 _ACCEPTED = '        return SetParametersResult(successful=True)'
 _REJECTED = "return SetParametersResult(successful=False, reason=f'{low_c} is not below {high_c}')"
-_LOW = "low_c = proposed.get('low_c', self.get_parameter('low_c').value)"
-_HIGH = "high_c = proposed.get('high_c', self.get_parameter('high_c').value)"
 _PROPOSED = 'proposed = {parameter.name: parameter.value for parameter in parameters}'
 _REACT = "self.target_c = (self.get_parameter('low_c').value + self.get_parameter('high_c').value) / 2"
 _EACH = 'for parameter in parameters:\n'
@@ -21,16 +19,7 @@ _MOTOR_REACT = f'def react(self, parameters):\n{_MOTOR}'
 WRONG = {
     '5.2a': [
         ([(_REGISTER_JUDGE, '')], 4, 'it was accepted'),
-        ([("reason=f'{low_c} is not below {high_c}'", "reason=''")], 4, 'the reason is empty'),
-        ([('low_c >= high_c', 'low_c > high_c')], 3, 'it was accepted'),
-        ([(_LOW, "low_c = self.get_parameter('low_c').value")], 3, 'it was accepted'),
-        ([(_HIGH, "high_c = self.get_parameter('high_c').value")], 4, 'it was accepted'),
         ([(_PROPOSED, 'proposed = {parameters[0].name: parameters[0].value}')], 4, 'it was accepted'),  # one of two
-        ([("self.get_parameter('low_c').value)\n", '18)\n'), ("self.get_parameter('high_c').value)\n", '22)\n')],
-         5, 'the limit that is stored at that moment'),  # held against the defaults
-        # Acts in the judge: with the proposed values, which may still be rejected, and with the stored, which are old.
-        ([(_ACCEPTED, f'        self.target_c = (low_c + high_c) / 2\n{_ACCEPTED}')], 5,
-         'a side effect of an on-set callback'),
         ([('add_post_set_parameters_callback(self.react)', 'add_on_set_parameters_callback(self.judge_late)'),
           (_AT_THE_START, '        self.judge_late([])\n'),
           ('def react(self, parameters):', 'def judge_late(self, parameters):'),
@@ -39,33 +28,33 @@ WRONG = {
         ([(_ACCEPTED, f'        self.noted = (low_c + high_c) / 2\n{_ACCEPTED}'),
           (_AT_THE_START, '        self.noted = 20\n        self.react([])\n'), (_REACT, 'self.target_c = self.noted')],
          5, 'That is the middle of the defaults'),
+        # Nobody judges the start.
+        ([(_START, '')], 5, 'it started, with `low_c = 30` and `high_c = 22`'),
+        # Acts in the judge: with the proposed values, which may still be rejected, and with the stored, which are old.
+        ([(_ACCEPTED, f'        self.target_c = (low_c + high_c) / 2\n{_ACCEPTED}')], 5,
+         'a side effect of an on-set callback'),
+        ([("reason=f'{low_c} is not below {high_c}'", "reason=''")], 4, 'the reason is empty'),
+        ([("self.get_parameter('low_c').value)\n", '18)\n'), ("self.get_parameter('high_c').value)\n", '22)\n')],
+         5, 'the limit that is stored at that moment'),  # held against the defaults
         ([(_ACCEPTED, f'        self.noted.update(proposed)\n{_ACCEPTED}'),
           (_START, "        self.noted = {n: self.get_parameter(n).value for n in ('low_c', 'high_c')}\n"
                    f'{_START}'),
           (_REACT, "self.target_c = (self.noted['low_c'] + self.noted['high_c']) / 2")], 5,
          'a value that was rejected has come through'),
-        ([(_AT_THE_START, '        self.target_c = 20\n')], 5, 'That is the middle of the defaults'),
-        ([(_REGISTER_REACT, '')], 4, 'it is `20.0`'),
         ([(_REACT, _REACT.replace(' / 2', ' // 2'))], 4, 'it is `27`'),
         ([(_REACT, 'low_c, high_c = [p.value for p in parameters] or (18, 22)\n'
                    '        self.target_c = (low_c + high_c) / 2')],
          0, 'ValueError: not enough values to unpack'),
         ([('self.target_c = (', 'self.target = (')], 3, 'it is `None`'),
-        # Acts too late.
-        ([(_REGISTER_REACT, '        self.create_timer(30.0, lambda: self.react([]))\n')], 4, 'it is `20.0`'),
         ([(_START, ''), (_ACCEPTED, '        return True')], 0, 'has to return a `SetParametersResult`'),
         ([(_ACCEPTED, '        return True')], 0, "'bool' object has no attribute 'successful'"),
         ([(_REJECTED, 'return False')], 4, 'the reason is rclpy’s own'),
-        ([(_START, ''), (_ACCEPTED, '')], 0, 'has to return a `SetParametersResult`'),
         ([(_REJECTED, "raise ValueError('not below')")], 0, 'a callback raised ValueError: not below'),
         ([(_REJECTED, 'input()')], 0, 'a callback cannot ask with input()'),
         ([("proposed.keys() & {'low_c', 'high_c'} and", "parameters[0].name == 'use_sim_time' or")], 5,
          '-3 is not below 12'),
         ([("reason=f'{low_c} is not below {high_c}'", 'reason=low_c')], 0, 'TypeError'),
         ([('low_c >= high_c', 'low_c >= high_c or high_c > 40')], 2, 'it was rejected'),  # a rule too many
-        # Nobody judges the start.
-        ([(_START, '')], 5, 'it started, with `low_c = 30` and `high_c = 22`'),
-        ([('raise ValueError(start.reason)', 'self.get_logger().error(start.reason)')], 5, 'it started, with'),
         # Starts right, and then adds a new limit to the default of the other one.
         ([(_AT_THE_START, f"{_AT_THE_START}        self.limits = {{'low_c': 18, 'high_c': 22}}\n"),
           (_REACT, 'if parameters:\n            self.limits.update({p.name: p.value for p in parameters})\n'
@@ -73,39 +62,29 @@ WRONG = {
                    f'        else:\n            {_REACT}')], 5, 'not its default'),
     ],
     '5.2b': [
-        ([(_EACH, _EACH.replace('parameters:', 'parameters[:1]:'))], 3, 'it was accepted'),
         ([("reason=f'{parameter.value} is not a percentage'", "reason=''")], 2, 'the reason is empty'),
+        ([(_EACH, _EACH.replace('parameters:', 'parameters[:1]:'))], 3, 'it was accepted'),
+        # Judges everybody's parameters.
+        ([(_KNOWN, 'if not 0')], 3, 'The callback is called for them, too'),
+        ([(_ACCEPTED, "        self.motor_percent = {p.name: p.value for p in parameters}.get('open_percent', 50)\n"
+                      f'{_ACCEPTED}')], 3, 'a side effect of an on-set callback'),
         ([('0 <= parameter.value <= 100', '0 < parameter.value <= 100')], 2, 'it was rejected: 0 is not a percentage'),
         ([('0 <= parameter.value <= 100', '0 <= parameter.value < 100')], 3, '100 is not a percentage'),
         ([(_KNOWN, "if parameter.name == 'open_percent' and not 0")], 2, 'it was accepted'),
-        # Judges everybody's parameters: by a range, by a type, and by a name.
-        ([(_KNOWN, 'if not 0')], 3, 'The callback is called for them, too'),
         ([(_KNOWN, 'if type(parameter.value) is int and not 0')], 3, 'The callback is called for them, too'),
         ([(_KNOWN, "if parameter.name not in ('open_percent', 'force_percent') or not 0")], 3, 'called for them, too'),
-        ([(_ACCEPTED, f'    {_ACCEPTED}')], 3, 'it was accepted'),  # returns in the loop
-        ([(_ACCEPTED, "        self.motor_percent = {p.name: p.value for p in parameters}.get('open_percent', 50)\n"
-                      f'{_ACCEPTED}')], 3, 'a side effect of an on-set callback'),
         ([(_MOTOR, '        self.motor_percent = parameters[0].value if parameters else 0')], 0,
          "NameError: name 'parameters'"),
         ([(_MOTOR_REACT,
            'def react(self, parameters):\n        self.motor_percent = parameters[0].value\n')], 3, 'it is `20`'),
-        ([(_MOTOR_REACT,
-           'def react(self, parameters):\n        for parameter in parameters:\n'
-           '            self.motor_percent = parameter.value\n')], 3, 'it is `20`'),
-        ([(f'{_MOTOR}\n{_REGISTER_JUDGE}', f'        self.motor_percent = 0\n{_REGISTER_JUDGE}')], 3,
-         'it is `0`'),
-        ([(_REGISTER_REACT, '')], 3, 'it is `0`'),
         ([('self.motor_percent = self', 'self.motor = self')], 3, 'it is `None`'),
         ([('            if parameter.name', '            from rcl_interfaces.msg import ParameterType\n'
            '            if parameter.type_ != ParameterType.PARAMETER_INTEGER:\n'
            "                return SetParametersResult(successful=False, reason='not an integer')\n"
            '            if parameter.name')], 0, 'look at what the comparison compares'),
-        ([(_REGISTER_JUDGE, '')], 2, 'it was accepted'),
         ([(_MOTOR_REACT,
            f'def react(self, parameters):\n        import rclpy\n        rclpy.spin_once(self)\n{_MOTOR}')],
          0, 'this callback already runs inside the executor that it waits for'),
-        ([(_KNOWN, 'if parameter.value == self.get_parameter(parameter.name).value or not 0')], 2,
-         '50 is not a percentage'),  # rejects what is stored already
         ([("'force_percent', 50", "'force_percent', 50, __import__('rcl_interfaces.msg').msg.ParameterDescriptor("
            'dynamic_typing=True)')], 0, 'a callback raised TypeError'),
         ([("'force_percent', 50", "'force_percent', 100")], 3, 'type integer, value `100`'),
@@ -116,16 +95,18 @@ WRONG = {
         ([('dbeca', 'dbcea')], 3, 'still held 100'),
         ([('dbeca', 'dbeac')], 3, 'held 150'),
         ([('dbeca', 'dbec')], 0, "your order is `'dbec'`"),
-        ([('dbeca', 'acebd')], 0, 'held 150'),
         ([('dbeca', 'dbecaa')], 0, "your order is `'dbecaa'`"),
         ([("'dbeca'", '12345')], 0, 'the check was given `12345`'),
     ],
     '5.2d': [
+        ([('0 <= floor', '1 <= floor')], 0, 'there is no floor 0: the top floor is 5'),
+        ([('return SetParametersResult(successful=not reason, reason=reason)', 'return not reason')], 1,
+         'An on-set callback has to return a `SetParametersResult`'),
         ([('            raise ValueError(reason)', '            self.get_logger().error(reason)')], 6,
          'never sees the start values'),
         ([('        return SetParametersResult(successful', '        self.react(parameters)\n        return '
            'SetParametersResult(successful')], 6, 'an on-set callback has only a proposal'),
-        ([('0 <= floor', '1 <= floor')], 0, 'there is no floor 0: the top floor is 5'),
+        ([('(KeyboardInterrupt, ExternalShutdownException)', 'KeyboardInterrupt')], 6, 'That is what SIGTERM raises'),
         ([('floor <= top_floor', 'floor < top_floor')], 5, 'there is no floor 5: the top floor is 5'),
         ([('0 <= floor <= top_floor', 'floor <= top_floor')], 6, 'it was accepted'),
         ([("proposed.get('top_floor', self.get_parameter('top_floor').value)",
@@ -137,12 +118,9 @@ WRONG = {
            '        return SetParametersResult(successful'),
           ('        self.add_post_set_parameters_callback(self.react)\n', '')], 6, '`validate` says it before'),
         ([('        self.add_post_set_parameters_callback(self.react)\n', '')], 6, 'it prints nothing'),
-        ([('return SetParametersResult(successful=not reason, reason=reason)', 'return not reason')], 1,
-         'An on-set callback has to return a `SetParametersResult`'),
         ([('reason=reason)', "reason='')")], 4, 'the reason is empty'),
         ([('{p.name: p.value for', '{p.name: p.valeu for')], 1, 'in line 25, `reason = '),
         ([('raise ValueError(reason)', 'raise SystemExit')], 6, 'it ended with exit status 0'),
-        ([('(KeyboardInterrupt, ExternalShutdownException)', 'KeyboardInterrupt')], 6, 'That is what SIGTERM raises'),
         ([("'elevator'", "'lift'")], 7, 'it is called `lift`'),
     ],
 }

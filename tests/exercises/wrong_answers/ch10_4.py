@@ -36,52 +36,25 @@ WRONG = {
         ([("'[A-Z]{3}'", "'[A-Z]{3}.*'")], 3, 'it was accepted'),
         ([("'mode', 'hover'", "'mode', 'land'")], 3, "it is `'land'`"),
         ([("'land_percent', 10", "'land_percent', 5")], 3, 'it is `5`'),
-        ([("'[A-Z]{3}'", "'[A-Z0-9]{3}'")], 3, 'it was accepted'),
-        ([("'[A-Z]{3}'", "'[A-Za-z]{3}'")], 3, 'it was accepted'),
-        ([("'[A-Z]{3}'", "'[A-Z]+'")], 3, 'it was accepted'),
-        ([(".matches('call_sign', '[A-Z]{3}')", ".check('call_sign', lambda sign: len(sign) == 3 and sign.isupper(), "
-           "'three capital letters')")], 3, 'it was accepted'),
-        ([(".matches('call_sign', '[A-Z]{3}')", ".length('call_sign', 3)")], 3, 'it was accepted'),
+        # In a callback only, and with a return in the loop.
+        ([(_CALL, _BY_HAND.replace('            raise ValueError(result.reason)', '            pass'))], 3,
+         'it started'),
         ([("['hover', 'track', 'land']", "['hover', 'track']")], 3, 'must be one of'),
         ([(".one_of('mode', ['hover', 'track', 'land'])", ".matches('mode', '.*(hover|track|land).*')")], 3,
          'it was accepted'),
         ([('lambda land, home: land < home', 'lambda land, home: land <= home')], 3, 'it was accepted'),
         ([('lambda land, home: land < home', 'lambda home, land: land < home')], 0, 'land_percent must be below'),
-        ([('lambda land, home: land < home', 'lambda land, home: land < 30')], 2, 'it was accepted'),
-        # Across parameters, but judged by hand and with the stored other one.
-        ([("['land_percent', 'home_percent'], lambda land, home: land < home",
-           "'land_percent', lambda land: land < self.get_parameter('home_percent').value")], 3, 'it was accepted'),
         ([('Rules(self).matches', 'Rules(self).match')], 0, "no attribute 'match'"),
         ([("['hover', 'track', 'land']", "'hover'")], 0, 'give a list of at least one choice'),
-        # In a callback only, and with a return in the loop.
-        ([(_CALL, _BY_HAND.replace('            raise ValueError(result.reason)', '            pass'))], 3,
-         'it started'),
         ([(_CALL, _BY_HAND.replace('after.update((p.name, p.value) for p in parameters)',
                                    'after[parameters[0].name] = parameters[0].value'))], 2, 'it was accepted'),
         ([(_CALL, _BY_HAND.replace('after.update((p.name, p.value) for p in parameters)', ''))], 1, 'it was accepted'),
-        ([(_CALL, _BY_HAND.replace('re.fullmatch', 're.match'))], 3, 'it was accepted'),
-        ([(_CALL, _BY_HAND.replace("reason = 'no mode'", "reason = ''"))], 3, 'it was accepted'),
         ([(_CALL, _BY_HAND.replace('after.update', 'after.updat'))], 0, "no attribute 'updat'"),
         ([("super().__init__('drone')", "super().__init__('drone')\n        import time; time.sleep(1000)")], 0,
          'was still running'),
     ],
     '10.4b': [
         ([(f'        {_ALIASES}\n', '')], 0, 'there are only `width_mm`, `plate_number`'),
-        ([(_ALIASES, "Aliases(self, {'width_mm': 'width', 'plate_number': 'plate'})")], 0, 'is an old name of'),
-        ([(f'        {_ALIASES}\n', ''), ('read_only=True))', f'read_only=True))\n        {_ALIASES}')], 0,
-         'before the first declaration'),
-        ([(', ParameterDescriptor(read_only=True)', '')], 4, 'it could be set'),
-        # The wrong way round: those who use the new names are warned.
-        ([(_ALIASES, "Aliases(self, {'width_mm': 'width', 'plate_number': 'plate'})"),
-          ("'width_mm', 800", "'width', 800"), ("'plate_number', 'none'", "'plate', 'none'")], 4, 'there is none'),
-        # Both declared, and no alias: they do not follow one another.
-        ([(_ALIASES, "self.declare_parameters('', [('width', 800), ('plate', 'none')])")], 0, 'it is `800`'),
-        ([(", 'plate': 'plate_number'", '')], 0, 'there are only `width_mm`, `width`, `plate_number`'),
-        # Forwarded, and not mirrored.
-        ([(_ALIASES, """from rclpy.parameter import Parameter
-        self.add_pre_set_parameters_callback(lambda parameters: [
-            Parameter('width_mm', value=p.value) if p.name == 'width' else p for p in parameters])""")], 0,
-         'there are only `width_mm`, `plate_number`'),
         # The mirror of the chapter: it takes a contradiction, and the plate keeps its start value for itself.
         ([(_ALIASES, """from rclpy.parameter import Parameter
         old = self.declare_parameter('width', 800)
@@ -90,21 +63,22 @@ WRONG = {
             Parameter(name, value=p.value) for p in parameters
             for name in (('width', 'width_mm') if p.name in ('width', 'width_mm') else [p.name])])""")], 2,
          'it is `'),
+        ([(', ParameterDescriptor(read_only=True)', '')], 4, 'it could be set'),
+        # The wrong way round: those who use the new names are warned.
+        ([(_ALIASES, "Aliases(self, {'width_mm': 'width', 'plate_number': 'plate'})"),
+          ("'width_mm', 800", "'width', 800"), ("'plate_number', 'none'", "'plate', 'none'")], 4, 'there is none'),
+        ([(_ALIASES, "Aliases(self, {'width_mm': 'width', 'plate_number': 'plate'})")], 0, 'is an old name of'),
+        ([(f'        {_ALIASES}\n', ''), ('read_only=True))', f'read_only=True))\n        {_ALIASES}')], 0,
+         'before the first declaration'),
+        # Both declared, and no alias: they do not follow one another.
+        ([(_ALIASES, "self.declare_parameters('', [('width', 800), ('plate', 'none')])")], 0, 'it is `800`'),
+        ([(", 'plate': 'plate_number'", '')], 0, 'there are only `width_mm`, `width`, `plate_number`'),
         ([("'width_mm', 800", "'width_mm', 800.0")], 0, 'Wrong parameter type'),
         ([("'wagon'", "'waggon'")], 5, 'it is called `waggon`'),
     ],
     '10.4c': [
         ([(f'        {_NAMES}\n', '')], 0, 'there are only `speed_mmps`, `limit_mmps`'),
         ([(_RULE, 'pass')], 1, 'it was accepted'),
-        ([('speed <= limit', 'speed < limit')], 1, 'speed_mmps must not be above'),
-        ([('speed <= limit', 'speed <= 500')], 1, 'it was accepted'),
-        ([('lambda speed, limit', 'lambda limit, speed')], 0, 'speed_mmps must not be above'),
-        ([(f'        {_NAMES}\n', ''), (_DECLARED, f'{_DECLARED}        {_NAMES}\n')], 0, 'before the first'),
-        ([(_NAMES, "Aliases(self, {'speed': 'speed_mmps'})")], 0, 'there are only'),
-        # The rule before the declarations.
-        ([(_RULE, 'pass'), (_DECLARED, f'        {_RULE}\n{_DECLARED}')], 0, 'speed_mmps'),
-        # The right limits, for another start.
-        ([("'speed_mmps', 100", "'speed_mmps', 100.0"), ("'limit_mmps', 500", "'limit_mmps', 500.0")], 0, 'rejected'),
         # Two callbacks that forward: each gets the original request.
         ([(_NAMES, """from rclpy.parameter import Parameter
         self.declare_parameters('', [('speed', 100), ('limit', 500)])
@@ -112,11 +86,14 @@ WRONG = {
             self.add_pre_set_parameters_callback(lambda parameters, names=names: [
                 Parameter(name, value=p.value) for p in parameters
                 for name in (names if p.name in names else [p.name])])""")], 2, 'it is `100`'),
-        # Judged against the stored other one.
-        ([(_RULE, """from rcl_interfaces.msg import SetParametersResult
-        self.add_on_set_parameters_callback(lambda parameters: SetParametersResult(reason='too fast', successful=all(
-            p.value <= self.get_parameter('limit_mmps').value for p in parameters if p.name == 'speed_mmps')))""")], 1,
-         'it was accepted'),
+        ([('speed <= limit', 'speed < limit')], 1, 'speed_mmps must not be above'),
+        ([('lambda speed, limit', 'lambda limit, speed')], 0, 'speed_mmps must not be above'),
+        ([(f'        {_NAMES}\n', ''), (_DECLARED, f'{_DECLARED}        {_NAMES}\n')], 0, 'before the first'),
+        ([(_NAMES, "Aliases(self, {'speed': 'speed_mmps'})")], 0, 'there are only'),
+        # The rule before the declarations.
+        ([(_RULE, 'pass'), (_DECLARED, f'        {_RULE}\n{_DECLARED}')], 0, 'speed_mmps'),
+        # The right limits, for another start.
+        ([("'speed_mmps', 100", "'speed_mmps', 100.0"), ("'limit_mmps', 500", "'limit_mmps', 500.0")], 0, 'rejected'),
     ],
 }
 

@@ -15,10 +15,7 @@ _BODY = """    defaults = ParameterSet.defaults(node_class)
 WRONG = {
     '10.5a': [
         ([(_THEN + _SET, _SET + _THEN)], 0, 'it is empty'),
-        ([(_COMPARE + _RESTORE, _RESTORE + _COMPARE)], 1, 'it is empty'),
-        ([(_THEN, ''), (_COMPARE, _THEN + _COMPARE)], 0, 'it is empty'),
         ([(_RESTORE, '')], 1, '`low_c` is `-30` and was `-5`'),
-        ([(_SET, '')], 1, 'it is empty'),
         ([(_THEN, ''), (_RESTORE, _RESTORE + _THEN)], 0, "name 'then' is not defined"),
         # Back to the defaults of this robot, which another one does not have.
         ([(_RESTORE, "restore(client, {'low_c': -5, 'high_c': 40})\n")], 1, '`low_c` is `-5` and was `10`'),
@@ -29,48 +26,27 @@ WRONG = {
     ],
     '10.5b': [
         ([(_MEND, _MEND[_MEND.index('    if isinstance(before, float)'):])], 0, 'returned `True`'),
-        ([(_MEND, '    return before == after\n')], 0, 'returned `True`'),
-        ([('len(before) == len(after) and ', '')], 1, 'returned `True`'),
-        ([('return before == after', 'return before == after or isinstance(before, float) and '
-           'math.isclose(before, after)')], 1, 'returned `True`'),
-        ([('all(', 'any(')], 0, 'returned `True`'),
-        ([('isinstance(before, float) and ', '')], 0, 'TypeError: must be real number, not str'),
-        ([('same_value(*pair)', 'type(pair[0]) is type(pair[1])')], 1, 'returned `True`'),
-        ([('same_value(*pair)', 'pair[0] == pair[1]')], 0, 'returned `True`'),
         ([('same_value(*pair)', 'type(pair[0]) is type(pair[1]) and pair[0] == pair[1]')], 1, 'returned `False`'),
+        ([('isinstance(before, float) and ', '')], 0, 'TypeError: must be real number, not str'),
         ([(_MEND, '    return str(sorted(before)) == str(sorted(after))\n')], 0, 'is not iterable'),
         # Only the first elements.
         ([('all(same_value(*pair) for pair in zip(before, after))', 'same_value(before[:1], after[:1])')], 0,
          'RecursionError'),
-        ([('return len(before)', 'len(before)')], 0, 'returned `True`'),
     ],
     '10.5c': [
-        ([('if name not in keep', '')], 2, "it is `'white'`"),
         ([("if outcome.word != 'set'", "if outcome.word == 'set'")], 1, 'it returned `['),
+        ([('if name not in keep', '')], 2, "it is `'white'`"),
+        ([('outcome.name for', 'outcome for')], 2, 'it returned `[Outcome'),
         ([("[outcome.name for outcome in restore(node, wanted) if outcome.word != 'set']",
            'restore(node, wanted).complete')], 1, 'it returned `True`'),
         ([('ParameterSet.defaults(node_class)', 'ParameterSet.of(node)')], 0, 'it is `1`'),
         ([('return [outcome', 'print([outcome'), ("!= 'set']", "!= 'set'])")], 1, 'it returned `None`'),
-        ([('outcome.name for', 'outcome for')], 2, 'it returned `[Outcome'),
-        ([('not in keep', 'not in keep[:1]')], 2, "it is `'white'`"),
         # By the beginning of a name.
         ([('if name not in keep', 'if not name.startswith(tuple(keep))')], 2, 'it is `4000`'),
         ([('    return [outcome', '    keep.clear()\n    return [outcome')], 1, 'the function has made it `[]`'),
         # An end with the old node: a new one would have its defaults.
         ([(_BODY, '    node.destroy_node()\n    return []')], 0,
          'the function has put an end to the node'),
-        # One after the other: the rule of the lamp rejects dim_percent.
-        ([(_BODY, '''    from param_tutorial import ParameterClient
-    client = ParameterClient(node)
-    wanted = {name: value for name, value in ParameterSet.defaults(node_class).items() if name not in keep}
-    return [each.name for each in client.set_parameters(wanted) if not each.successful]
-''')], 0, 'it is `1`'),
-        # Hard-coded.
-        ([(_BODY, """    wanted = {'dim_percent': 10, 'full_percent': 90, 'color': 'white', 'color_temperature_k': 2700,
-              'plate': 'none'}
-    wanted = {name: value for name, value in wanted.items() if name not in keep}
-    return [outcome.name for outcome in restore(node, wanted) if outcome.word != 'set']
-""")], 1, 'it is `95.5`'),
         # Compares with ==, for which nan differs from itself.
         ([("    return [outcome.name for outcome in restore(node, wanted) if outcome.word != 'set']",
            """    restore(node, wanted)
