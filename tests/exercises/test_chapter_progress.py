@@ -1,14 +1,12 @@
 """What learners see of their own progress in a chapter, none of it in the stored outputs."""
 
 
-import nbformat
 import pytest
 
 from param_tutorial import exercises
 from param_tutorial.exercises import CHAPTERS, EXERCISES
 from param_tutorial.exercises.results import Finding, Result
 from param_tutorial.learner.progress import VARIABLE, ProgressFile
-from tests.support.paths import NOTEBOOKS
 
 
 @pytest.fixture
@@ -16,14 +14,6 @@ def file(monkeypatch, tmp_path):
     monkeypatch.setenv(VARIABLE, str(tmp_path / 'progress.json'))
     monkeypatch.setattr('param_tutorial.learner.progress._now', lambda: '2026-03-04T10:00:00')
     return ProgressFile(tmp_path / 'progress.json')
-
-
-def test_each_chapter_ends_with_its_progress():
-    for chapter in CHAPTERS.values():
-        cells = nbformat.read(NOTEBOOKS / f'{chapter.name}.ipynb', as_version=4).cells
-        cell, = (each for each in cells if each.id == 'progress')
-        assert cell.source == f"exercises.progress('{chapter.number}')"
-        assert cells.index(cell) > max(index for index, each in enumerate(cells) if each.id.startswith('check-'))
 
 
 def test_what_is_solved_has_a_tick_and_a_date(file):

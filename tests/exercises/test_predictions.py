@@ -1,17 +1,12 @@
-"""Predictions: each stands before its cell, has one right answer, and reveals it only after the cell has run."""
+"""The widget of a prediction keeps an answer, and gives the verdict only after the next cell has run."""
 
-import itertools
-import re
-
-import nbformat
 import pytest
 from ipywidgets.widgets.widget import _instances as widget_registry
 
 from param_tutorial import exercises
-from param_tutorial.exercises import CHAPTERS, PREDICTIONS, RECALLS
+from param_tutorial.exercises import RECALLS
 from param_tutorial.exercises.predicting import PredictionView
 from param_tutorial.exercises.prediction import MIME_TYPE, Prediction, right, wrong
-from tests.support.paths import NOTEBOOKS, PACKAGE
 
 CHOICE = Prediction('1-1', 'What is `1`?', (wrong('a text', 'It is a `number`.'), right('a number', 'So it is.')))
 TYPED = Prediction('1-2', 'How many?', (right('150', 'Yes.'), wrong('100', 'More.')), otherwise='It is 150.')
@@ -28,71 +23,6 @@ def ask(remembered):
     """Return a function that shows a prediction."""
     return lambda prediction=CHOICE: PredictionView(
         prediction, lambda *answer: remembered.append(answer) or 'The disk is full.')
-
-
-# -- the data --------------------------------------------------------------------------------------------------
-
-
-def test_each_chapter_has_its_exercises_and_its_questions_in_modules_of_one_name():
-    exercises_of, questions_of = ([each.name for each in sorted((PACKAGE / 'exercises' / folder).glob('ch*.py'))]
-                                  for folder in ('chapters', 'questions'))
-    assert exercises_of == questions_of
-    assert [each.name.partition('_')[0] for each in CHAPTERS.values()] == [name[2:4] for name in exercises_of]
-
-
-@pytest.mark.parametrize('number', CHAPTERS)
-def test_each_chapter_has_at_least_four_numbered_in_order(number):
-    numbers = [each.number for each in CHAPTERS[number].predictions]
-    assert len(numbers) >= 4
-    assert numbers == [f'{number}-{position}' for position in range(1, len(numbers) + 1)]
-
-
-@pytest.mark.parametrize('prediction', PREDICTIONS.values(), ids=lambda each: each.number)
-def test_each_has_one_right_answer_and_a_sentence_for_each(prediction):
-    assert sum(each.is_right for each in prediction.choices) == 1
-    assert len(prediction.choices) >= 2
-    texts = [each.text for each in prediction.choices]
-    assert len(set(texts)) == len(texts)
-    # Choices are labels of radio buttons, which show no code.
-    assert not any('`' in text for text in texts)
-    sentences = [each.sentence for each in prediction.choices] + [prediction.otherwise] * prediction.is_typed
-    assert all(re.search(r'[.?]$', each) and '!' not in each for each in [*sentences])
-    assert prediction.question.endswith(('?', '.'))
-
-
-@pytest.mark.parametrize('number', CHAPTERS)
-def test_each_chapter_has_a_sentence_for_a_learner_who_has_solved_it(number):
-    assert CHAPTERS[number].praise.endswith('.')
-
-
-@pytest.mark.parametrize('chapter', CHAPTERS.values(), ids=lambda each: each.number)
-def test_each_prediction_stands_before_a_cell_of_its_chapter(chapter):
-    cells = nbformat.read(NOTEBOOKS / f'{chapter.name}.ipynb', as_version=4).cells
-    found = []
-    for cell, after in itertools.pairwise(cells):
-        for output in cell.get('outputs', ()):
-            if MIME_TYPE in output.get('data', {}) and 'exercises.recall(' not in cell.source:
-                found.append(output.data[MIME_TYPE]['number'])
-                assert cell.source.endswith(f"exercises.predict('{found[-1]}')")
-                assert after.cell_type == 'code', f'nothing decides {found[-1]}'
-    assert found == [each.number for each in chapter.predictions]
-
-
-@pytest.mark.parametrize('chapter', CHAPTERS.values(), ids=lambda each: each.number)
-def test_no_chapter_asks_for_a_prediction_in_its_prose(chapter):
-    cells = nbformat.read(NOTEBOOKS / f'{chapter.name}.ipynb', as_version=4).cells
-    prose = '\n'.join(cell.source for cell in cells if cell.cell_type == 'markdown' and '###' not in cell.source)
-    assert re.findall(r'.*\bPredict\b.*', prose) == []
-
-
-@pytest.mark.parametrize('chapter', CHAPTERS.values(), ids=lambda each: each.number)
-def test_exercises_have_the_titles_of_the_chapter(chapter):
-    cells = nbformat.read(NOTEBOOKS / f'{chapter.name}.ipynb', as_version=4).cells
-    headings = re.findall(r'^### ([\d.]+[a-z]) · (.*)$', '\n'.join(cell.source for cell in cells), re.MULTILINE)
-    assert headings == [(each.number, each.title) for each in chapter.exercises]
-
-
-# -- the widget ------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize('prediction', [CHOICE, TYPED])

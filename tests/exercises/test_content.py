@@ -1,0 +1,123 @@
+"""The chapters and the data of their exercises and questions agree."""
+
+import ast
+import functools
+import inspect
+import itertools
+import re
+
+import nbformat
+import pytest
+
+from param_tutorial.exercises import CHAPTERS, EXERCISES, PREDICTIONS, RECALLS
+from param_tutorial.exercises.chapters import ch04, ch05_1, ch06_2, ch07_3
+from param_tutorial.exercises.prediction import MIME_TYPE
+from tests.support.answers import blank, notebook
+from tests.support.paths import NOTEBOOKS, PACKAGE
+
+
+@functools.cache
+def cells_of(chapter):
+    return nbformat.read(NOTEBOOKS / f'{chapter.name}.ipynb', as_version=4).cells
+
+
+def headings(chapter):
+    texts = '\n'.join(cell.source for cell in cells_of(chapter) if cell.cell_type == 'markdown')
+    return re.findall(r'^#+ (.*)$', texts, re.MULTILINE)
+
+
+def of_each_chapter(test):
+    return pytest.mark.parametrize('chapter', CHAPTERS.values(), ids=lambda each: each.number)(test)
+
+
+def test_each_chapter_has_its_exercises_and_its_questions_in_modules_of_one_name():
+    exercises_of, questions_of = ([each.name for each in sorted((PACKAGE / 'exercises' / folder).glob('ch*.py'))]
+                                  for folder in ('chapters', 'questions'))
+    assert exercises_of == questions_of
+    assert [each.name.partition('_')[0] for each in CHAPTERS.values()] == [name[2:4] for name in exercises_of]
+
+
+@of_each_chapter
+def test_exercises_have_the_titles_of_the_chapter_and_lead_to_its_sections(chapter):
+    found = headings(chapter)
+    assert [each for each in found if re.match(r'[\d.]+[a-z] · ', each)] == [
+        f'{each.number} · {each.title}' for each in chapter.exercises]
+    for exercise in chapter.exercises:
+        assert {requirement.see for requirement in exercise.requirements} <= {*found}
+        assert len(exercise.hints) >= 2
+
+
+@of_each_chapter
+def test_each_prediction_stands_before_a_cell_that_decides_it(chapter):
+    found = []
+    for cell, after in itertools.pairwise(cells_of(chapter)):
+        for output in cell.get('outputs', ()):
+            if MIME_TYPE in output.get('data', {}) and 'exercises.recall(' not in cell.source:
+                found.append(output.data[MIME_TYPE]['number'])
+                assert cell.source.endswith(f"exercises.predict('{found[-1]}')")
+                assert after.cell_type == 'code', f'nothing decides {found[-1]}'
+    assert found == [each.number for each in chapter.predictions]
+    assert found == [f'{chapter.number}-{position}' for position in range(1, len(found) + 1)]
+
+
+@of_each_chapter
+def test_from_chapter_4_on_two_questions_are_about_earlier_ones(chapter):
+    order = list(CHAPTERS)
+    assert len(chapter.recalls) == (2 if order.index(chapter.number) >= order.index('4') else 0)
+    asked = re.findall(r"exercises\.recall\('(.*?)'\)", '\n'.join(each.source for each in cells_of(chapter)))
+    assert asked == [each.number for each in chapter.recalls]
+    for each in chapter.recalls:
+        assert order.index(each.chapter) < order.index(chapter.number)
+        assert each.section in headings(CHAPTERS[each.chapter])
+
+
+@of_each_chapter
+def test_each_chapter_ends_with_its_progress(chapter):
+    cells = cells_of(chapter)
+    cell, = (each for each in cells if each.id == 'progress')
+    assert cell.source == f"exercises.progress('{chapter.number}')"
+    assert cells.index(cell) > max(index for index, each in enumerate(cells) if each.id.startswith('check-'))
+
+
+def test_each_question_has_one_right_answer_and_a_sentence_for_each():
+    for question in (*PREDICTIONS.values(), *RECALLS.values()):
+        texts = [each.text for each in question.choices]
+        assert sum(each.is_right for each in question.choices) == 1, question.number
+        assert len({*texts}) == len(texts) >= 2, question.number
+        assert all(each.sentence.endswith(('.', '?')) for each in question.choices), question.number
+
+
+def test_a_prediction_is_asked_for_in_the_words_of_the_check():
+    for number in ('4c', '5.1c', '6.2a', '7.1c', '7.2c', '7.3b'):
+        assert [f'`{question}`' for question in blank(number)] == [
+            requirement.sentence for requirement in EXERCISES[number].requirements]
+    assert list(blank('5.1b')) == [name for name, *_ in ch05_1.GOALS]
+
+
+def test_the_story_in_the_chapter_is_the_one_that_the_check_runs():
+    told = next(each.source for each in notebook('4c') if each.source.startswith('### 4c'))
+    for line in inspect.getsource(ch04.story).splitlines()[2:-1]:
+        done = re.sub(r"trial\.client\(robot\)\.set_parameter\('(\w+)', (\d+)\)",
+                      r'%ros2 param set /simple_param_node \1 \2', line.strip().replace('trial.start(', 'ros.add('))
+        assert done in told
+
+
+def test_the_oven_in_the_chapter_is_the_one_that_the_check_asks():
+    shown = [each.source for each in notebook('6.2a') if each.source.startswith('class Oven')]
+    assert [without_annotations(each) for each in shown] == [without_annotations(inspect.getsource(ch06_2.Oven))]
+
+
+def without_annotations(source):
+    """Return source code as a chapter has it, where nothing is annotated."""
+    tree = ast.parse(source)
+    for each in ast.walk(tree):
+        if isinstance(each, ast.FunctionDef):
+            each.returns = None
+        elif isinstance(each, ast.arg):
+            each.annotation = None
+    return ast.unparse(tree)
+
+
+def test_the_files_in_the_chapter_are_those_that_the_check_starts_with():
+    written, = (each.source for each in notebook('7.3b') if each.source.startswith('FILES = '))
+    assert ast.literal_eval(ast.parse(written).body[0].value) == ch07_3.FILES
