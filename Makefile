@@ -35,10 +35,6 @@ reset: setup  ## make your copy of one chapter fresh again, and keep what was th
 	@test -n "$(CHAPTER)" || { echo "Which one? make reset CHAPTER=08" >&2; exit 1; }
 	@$(VENV) -m param_tutorial.learner "$(CHAPTER)" $(ARGS)
 
-# The file is in my_lessons/, and so is what is kept of it.
-reset-progress: setup  ## forget which exercises you have solved, and keep the file of before
-	@$(VENV) -m param_tutorial.learner reset-progress $(ARGS)
-
 class: setup  ## a table of a class's progress files, and what to talk about: make class FOLDER=…
 	@test -n "$(FOLDER)" || { echo "Where are the files? make class FOLDER=…" >&2; exit 1; }
 	@$(VENV) -m param_tutorial.teacher "$(FOLDER)"
@@ -118,5 +114,5 @@ clean:  ## remove everything that these targets made, but not your copies of the
 	rm -rf .venv build environment/node_modules .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup setup-all lab reset reset-progress class hub test test-all test-fast test-rare html lesson bench lint \
+.PHONY: help setup setup-all lab reset class hub test test-all test-fast test-rare html lesson bench lint \
     lite lock clean

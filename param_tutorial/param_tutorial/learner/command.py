@@ -1,4 +1,4 @@
-"""The command line of the learner: ``make reset`` and ``make reset-progress``."""
+"""The command line of the learner: ``make reset``."""
 
 import argparse
 import sys
@@ -16,26 +16,14 @@ def main(arguments: list[str] | None = None) -> int:
     """
     parser = argparse.ArgumentParser(
         prog='python -m param_tutorial.learner',
-        description='Make your copy of one chapter fresh again, and keep what was there; or forget your progress.')
-    parser.add_argument('what', help='the number of a chapter, such as 06 or 5.2; or reset-progress')
+        description='Make your copy of one chapter fresh again, and keep what was there.')
+    parser.add_argument('chapter', help='its number, such as 06 or 5.2')
     parser.add_argument('--course', type=Path, default=ROOT, help='the checkout of the course')
     options = parser.parse_args(arguments)
     copies = Copies.of_learner(options.course.resolve())
     try:
-        print(_reset_progress(copies) if options.what == 'reset-progress' else copies.reset(options.what))
+        print(copies.reset(options.chapter))
     except CopiesError as error:
         print(error, file=sys.stderr)
         return 1
     return 0
-
-
-def _reset_progress(copies: Copies) -> str:
-    try:
-        kept = copies.progress.reset()
-    except OSError as error:
-        raise CopiesError(f'Your progress could not be reset: {error.strerror}: {error.filename}.') from error
-    if kept is None:
-        return 'No progress is remembered, so there is nothing to forget.'
-    copies.tick()
-    return f'Your progress is forgotten. What was remembered is kept in {kept}.'
-

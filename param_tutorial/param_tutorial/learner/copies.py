@@ -7,7 +7,6 @@ JupyterLab knows of whose outputs to trust.
 """
 
 import contextlib
-import errno
 import hashlib
 import os
 import sqlite3
@@ -117,43 +116,26 @@ class Copies:
 
         :return: What the learner should know of it, if anything.
         """
-        try:
-            fresh = _fresh(self.chapters / name)
-        except CopiesError as error:
-            return f'{error} Your copy stays as it is.'
-        copy, new = self.folder / name, self._delivered(_digest(name, fresh))
+        copy, fresh = self.folder / name, _fresh(self.chapters / name)
+        new = self._delivered(_digest(name, fresh))
         content = _bytes_of(copy)
         if content is None:
             self._give(name, fresh)
             return None
-        mine = _digest(name, content)
-        if not mine:
-            kept = self._back_up(name)
-            self._give(name, fresh)
-            return (f'{self._say(copy)} was not a notebook any more. A fresh copy is in its place; what was there is '
-                    f'now {self._say(kept)}.')
-        if self._delivered(mine) == new:
+        mine = self._delivered(_digest(name, content))
+        if mine == new or (new.exists() and not mine.exists()):  # it is the new version, or was made from it
             new.touch()
             return None
-        if self._delivered(mine).exists():
-            return self._replace(name, fresh, has_outputs=b'"output_type":' in content)
-        if new.exists():
-            return None
-        is_chapter = name.suffix == '.ipynb' and name.parent == Path()
-        remedy = (f'make reset CHAPTER={number_of(name.stem)} gives you the new one and keeps yours as a backup.'
-                  if is_chapter else 'Rename or delete yours, and the next make lab brings the new one.')
-        return (f'There is a new version of {self._say(copy)}. Yours stays as it is, because you have changed it. '
-                f'{remedy}')
-
-    def _replace(self, name: Path, fresh: bytes, *, has_outputs: bool) -> str | None:
-        """Give the new version of a file in which the learner has changed nothing."""
-        if not has_outputs:
-            self._give(name, fresh)
-            return None
-        kept = self._back_up(name)
+        if not mine.exists():
+            is_chapter = name.suffix == '.ipynb' and name.parent == Path()
+            remedy = (f'make reset CHAPTER={number_of(name.stem)} gives you the new one and keeps yours as a backup.'
+                      if is_chapter else 'Rename or delete yours, and the next make lab brings the new one.')
+            return (f'There is a new version of {self._say(copy)}. Yours stays as it is, because you have changed it. '
+                    f'{remedy}')
+        kept = self._back_up(name) if b'"output_type":' in content else None
         self._give(name, fresh)
-        return (f'{self._say(self.folder / name)} is now the new version. You had changed no cell; the file with '
-                f'your outputs is kept as {self._say(kept)}.')
+        return kept and (f'{self._say(copy)} is now the new version. You had changed no cell; the file with your '
+                         f'outputs is kept as {self._say(kept)}.')
 
     def _give(self, name: Path, fresh: bytes) -> None:
         """Put a fresh copy in its place; what was there is not kept."""
@@ -190,19 +172,15 @@ class Copies:
             self.trust.mkdir(mode=0o700, exist_ok=True)
             yield
         except OSError as error:
-            raise CopiesError(_explain(error, self.folder)) from error
+            raise CopiesError(f'Your copies of the chapters in {self.folder} could not be brought up to date; nothing '
+                              f'of yours was lost. The reason: {error.strerror}: {error.filename}.') from error
 
 
 def _fresh(path: Path) -> bytes:
-    """Return a file of the course as the learner gets it: a notebook without outputs, anything else as it is.
-
-    :raises CopiesError: it should be a notebook and is none.
-    """
+    """Return a file of the course as the learner gets it: a notebook without outputs, anything else as it is."""
     content = path.read_bytes()
     if path.suffix != '.ipynb':
         return content
-    if not _digest(path, content):
-        raise CopiesError(f'{path.parent.name}/{path.name} is not a notebook: git status may say why.')
     notebook = nbformat.v4.reads(content.decode())
     for cell in notebook.cells:
         if cell.cell_type == 'code':
@@ -214,15 +192,13 @@ def _digest(name: Path, content: bytes) -> str:
     """Return the digest of a name and of what a learner can change in that file.
 
     Of a notebook that is the text of its cells: outputs come and go, and JupyterLab adds an empty cell at the end. Of
-    the start page it is all but our own marks. The digest of a notebook that JupyterLab could not open is empty.
+    the start page it is all but our own marks.
     """
     if name.suffix == '.ipynb':
-        try:
+        with contextlib.suppress(ValueError, TypeError, KeyError, AttributeError):  # it is no notebook any more
             cells = nbformat.v4.reads(content.decode('utf-8-sig')).cells
             texts = [(cell.cell_type, cell.source.splitlines(), cell.metadata.get('tags') or []) for cell in cells]
-        except (ValueError, TypeError, KeyError, AttributeError):
-            return ''
-        content = repr([text for text in texts if any(map(str.strip, text[1]))]).encode()
+            content = repr([text for text in texts if any(map(str.strip, text[1]))]).encode()
     elif name == Path(ticks.PAGE):
         content = ticks.without_ticks(content.decode(errors='surrogateescape')).encode(errors='surrogateescape')
     return hashlib.sha256(f'{name}\n'.encode() + content).hexdigest()[:32]
@@ -233,12 +209,3 @@ def _bytes_of(path: Path) -> bytes | None:
         return path.read_bytes()
     except FileNotFoundError:
         return None
-
-
-def _explain(error: OSError, folder: Path) -> str:
-    """Return one sentence on why the copies can't be written."""
-    if error.errno in (errno.ENOSPC, errno.EDQUOT):
-        return (f'The disk is full, so your copies of the chapters in {folder} are not all up to date; nothing of '
-                f'yours was changed or lost. Free some space and run the same command again.')
-    return (f'Your copies of the chapters in {folder} could not be brought up to date; nothing of yours was lost. '
-            f'The reason: {error.strerror}: {error.filename}.')

@@ -72,17 +72,6 @@ def parse(content: bytes) -> Progress:
         progress = Progress(dict(data['solved']),
                             {number: Tried(**each) for number, each in data.get('tried', {}).items()},
                             {number: Committed(**each) for number, each in data['predicted'].items()})
-        times = [*progress.solved.values(), *(each.at for each in progress.tried.values()),
-                 *(each.at for each in progress.predicted.values())]
-        for at in times:
-            datetime.datetime.fromisoformat(at)
-        for each in progress.predicted.values():
-            if not isinstance(each.choice, str) or not isinstance(each.right, bool):
-                raise ProgressError('a prediction in it is damaged')
-        for tried in progress.tried.values():
-            words = [*tried.missed.keys(), *tried.missed.values()]
-            if not isinstance(tried.met + tried.times, int) or not all(isinstance(word, str) for word in words):
-                raise ProgressError('a failed check in it is damaged')
     except (ValueError, TypeError, KeyError, AttributeError) as error:
         raise ProgressError(f'it holds no progress ({type(error).__name__})') from None
     return progress
@@ -127,17 +116,6 @@ class ProgressFile:
         """Remember what a learner has predicted; returns as ``add_solved`` does."""
         return self._change(lambda progress: progress.predicted.setdefault(number, Committed(choice, right, _now())))
 
-    def reset(self) -> Path | None:
-        """Begin anew, and keep what was there.
-
-        :return: Where that is kept; None if there was nothing.
-        :raises OSError: the file can't be moved.
-        """
-        if not self.path.exists():
-            return None
-        with only_one(self.path.parent):
-            return self._set_aside('before-reset')
-
     def _change(self, change: Callable[[Progress], object]) -> str:
         said = ''
         try:
@@ -148,7 +126,8 @@ class ProgressFile:
                     try:
                         progress = parse(self.path.read_bytes())
                     except ProgressError as error:
-                        kept = self._set_aside('damaged')
+                        kept = self.path.rename(named_after_now(
+                            lambda now: self.path.with_name(f'{self.path.stem}-damaged-{now}{self.path.suffix}')))
                         said = f'Your {self.path.name} could not be read: {error}. It is kept as {kept.name}.'
                 before = _text_of(progress)
                 change(progress)
@@ -157,10 +136,6 @@ class ProgressFile:
         except OSError as error:
             said = f'This could not be remembered in {self.path.name}: {error.strerror}.'
         return said
-
-    def _set_aside(self, why: str) -> Path:
-        return self.path.rename(named_after_now(
-            lambda now: self.path.with_name(f'{self.path.stem}-{why}-{now}{self.path.suffix}')))
 
 
 def own_progress() -> ProgressFile | None:
