@@ -1,21 +1,14 @@
-"""A node on one host, a terminal or a panel on another, and a cable between them; and who cannot reach a notebook."""
+"""A node on one host, a terminal and a panel on another, and a cable between them."""
 
-import contextlib
-import json
-import socket
 import subprocess
 import sys
-import urllib.error
-import urllib.request
 
-import psutil
 import pytest
 
 from tests.network.conftest import Host, ip
-from tests.support.lab import CourseLab, wait_for
-from tests.support.paths import NOTEBOOKS
+from tests.support.lab import wait_for
 
-pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(400)]
+pytestmark = [pytest.mark.slow, pytest.mark.rare, pytest.mark.timeout(400)]
 
 ROS2 = (sys.executable, '-m', 'param_tutorial')
 # Each input() waits for the test.
@@ -76,20 +69,11 @@ def param(host: Host, *words: str) -> str:
     return wait_for(answer, 'the node to be found')
 
 
-def test_a_terminal_sets_a_node_on_another_host(hosts):
-    robot, laptop = hosts
-    assert said(robot.start('-c', NODE, ROS_DOMAIN_ID='42')) == '42'
-    assert param(laptop, 'set', '/simple_param_node', 'max_speed_rpm', '120') == 'Set parameter successful'
-    assert param(laptop, 'get', '/simple_param_node', 'max_speed_rpm') == 'Integer value is: 120'
-    said_no = param(laptop, 'set', '/simple_param_node', 'max_speed_rpm', '-5')
-    assert 'max_speed_rpm must not be negative, got -5' in said_no
-
-
-def test_a_panel_says_that_the_cable_is_out_and_comes_back_with_it(hosts):
+def test_a_terminal_and_a_panel_set_a_node_on_another_host_until_the_cable_is_out(hosts):
     robot, laptop = hosts
     node = robot.start('-c', NODE, ROS_DOMAIN_ID='42')
     assert said(node) == '42'
-    param(laptop, 'get', '/simple_param_node', 'max_speed_rpm')
+    assert param(laptop, 'set', '/simple_param_node', 'max_speed_rpm', '110') == 'Set parameter successful'
     panel = laptop.start('-c', PANEL, ROS_DOMAIN_ID='42')
     assert said(panel) == '120'
     ip('-n', robot.name, 'link', 'set', 'eth0', 'down')
@@ -103,47 +87,10 @@ def test_a_panel_says_that_the_cable_is_out_and_comes_back_with_it(hosts):
     assert said(panel) == '160'
 
 
-# In the second case, the stranger is not blind.
-@pytest.mark.parametrize(('chosen', 'is_seen'), [({}, False), ({'ROS_AUTOMATIC_DISCOVERY_RANGE': 'SUBNET'}, True)])
-def test_no_other_host_sees_a_node_unless_its_user_says_so(hosts, chosen, is_seen):
+def test_no_other_host_sees_a_node_unless_its_user_says_so(hosts):
     robot, laptop = hosts
-    domain = said(robot.start('-c', NODE, **chosen))
-    # Someone who knows the domain, listens on all interfaces, knows the address, and tries ten times.
+    domain = said(robot.start('-c', NODE))
+    # Someone who knows the domain, listens on all interfaces, knows the address, and tries three times.
     answers = (laptop.run(*ROS2, 'param', 'get', '/simple_param_node', 'max_speed_rpm', ROS_DOMAIN_ID=domain,
-                          ROS_AUTOMATIC_DISCOVERY_RANGE='SUBNET', ROS_STATIC_PEERS=robot.address) for _ in range(10))
-    assert any(answer == 'Integer value is: 100' for answer in answers) is is_seen
-
-
-class PlainLab(CourseLab):
-    """JupyterLab as `make lab` starts it, without a word on addresses, ports and tokens."""
-
-    def _options(self) -> list[str]:
-        return ['--no-browser']
-
-    def _find_url(self) -> str | None:
-        info = self.runtime / f'jpserver-{self._process.pid}.json'
-        with contextlib.suppress(OSError, ValueError):
-            self.token = json.loads(info.read_text())['token']
-        return super()._find_url()
-
-
-def test_jupyterlab_and_its_kernels_cannot_be_reached_from_another_host(tmp_path):
-    with PlainLab(tmp_path / 'lab', [NOTEBOOKS / '01_what_are_parameters.ipynb']) as lab:
-        start_kernel = urllib.request.Request(f'{lab.url}api/kernels?token={lab.token}', b'{}')
-        assert urllib.request.urlopen(start_kernel).status == 201
-        server = psutil.Process(lab._process.pid)
-        listening = {each.laddr.ip for process in (server, *server.children(recursive=True))
-                     for each in process.net_connections('inet')
-                     if each.status == psutil.CONN_LISTEN or each.type == socket.SOCK_DGRAM}
-        assert listening <= {'127.0.0.1', '::1'}
-        assert len(lab.token) >= 40
-        with pytest.raises(urllib.error.HTTPError, match='403'):
-            urllib.request.urlopen(f'{lab.url}api/kernels')
-
-
-def test_a_chapter_needs_no_network(hosts):
-    robot, _ = hosts
-    ip('-n', robot.name, 'link', 'delete', 'eth0')
-    chapter = NOTEBOOKS / '05_2_with_a_callback.ipynb'
-    said = robot.run(sys.executable, '-m', 'pytest', '-q', '-p', 'no:cacheprovider', '--nbval', chapter)
-    assert ' passed' in said and 'failed' not in said, said
+                          ROS_AUTOMATIC_DISCOVERY_RANGE='SUBNET', ROS_STATIC_PEERS=robot.address) for _ in range(3))
+    assert not any(answer == 'Integer value is: 100' for answer in answers)
