@@ -26,7 +26,6 @@ with lazy.Imports(__name__) as _imports:
     from param_tutorial import views as views
     from param_tutorial.notebook.glossary import Glossary as Glossary
     from param_tutorial.notebook.magics import load_ipython_extension as load_ipython_extension
-    from param_tutorial.notebook.magics import unload_ipython_extension as unload_ipython_extension
     from param_tutorial.notebook.shell import Shell as Shell
     from param_tutorial.notebook.terminal import Terminal as Terminal
     from param_tutorial.views.drawing import ros1 as ros1

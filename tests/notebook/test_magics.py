@@ -170,17 +170,7 @@ def test_the_first_cell_may_be_run_again(shell):
         with capture_output() as captured:
             shell.run_cell('%load_ext param_tutorial')
         assert (captured.stdout, captured.stderr) == ('', '')
-    shell.run_cell('%reload_ext param_tutorial')
     assert shell.events.callbacks['pre_run_cell'].count(magics._before_cell) == 1
-
-
-def test_unloaded_it_gives_exit_and_quit_back(shell):
-    shell.run_cell('%unload_ext param_tutorial')
-    try:
-        assert shell.user_ns['exit'] is shell.user_ns['quit'] is shell.exiter
-    finally:
-        shell.run_cell('%load_ext param_tutorial')
-    assert shell.user_ns['exit'] is not shell.exiter
 
 
 def test_a_cell_reads_only_what_was_logged_since_it_began(shell, ros):

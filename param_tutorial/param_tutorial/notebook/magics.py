@@ -8,8 +8,8 @@ import html
 import re
 import shlex
 import sys
-from collections.abc import Iterator, Sequence
-from contextlib import ExitStack, contextmanager, suppress
+from collections.abc import Sequence
+from contextlib import ExitStack, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -51,14 +51,6 @@ def load_ipython_extension(ipython: InteractiveShell) -> None:
         veil.begin()
         if _await_shell not in ipython.input_transformers_post:
             ipython.input_transformers_post.append(_await_shell)
-
-
-def unload_ipython_extension(ipython: InteractiveShell) -> None:
-    """Undo what concerns each cell: ``%unload_ext param_tutorial``, and the first half of ``%reload_ext``."""
-    ipython.events.unregister('pre_run_cell', _before_cell)
-    if _await_shell in ipython.input_transformers_post:
-        ipython.input_transformers_post.remove(_await_shell)
-    ipython.user_ns.update(exit=ipython.exiter, quit=ipython.exiter)
 
 
 _SHELL_CALL = "get_ipython().run_cell_magic('shell', "
@@ -227,25 +219,14 @@ def _run(command: _Command) -> int:
     with ExitStack() as stack:
         output: TextStream = sys.stdout
         if command.target is not None:
-            output = stack.enter_context(_opened(Path(command.target).expanduser(), 'a' if command.append else 'w'))
+            path = Path(command.target).expanduser()
+            output = stack.enter_context(path.open('a' if command.append else 'w', encoding='utf-8'))
         streams = _Streams(output, sys.stderr)
         try:
             return embedded.main(command.words, Session(streams.stdout, streams.stderr, stage.current, in_notebook=True,
                                                         instead_of=_instead_of))
         finally:
             streams.flush()
-
-
-@contextmanager
-def _opened(path: Path, mode: str) -> Iterator[TextStream]:
-    """Open a file to write to it, and name it if that fails, also later on: a disk that gets full names none."""
-    try:
-        with path.open(mode, encoding='utf-8') as file:
-            yield file
-    except OSError as error:
-        if error.filename not in (None, str(path)):
-            raise
-        raise type(error)(error.errno, error.strerror, str(path)) from None
 
 
 class _Streams:

@@ -1,4 +1,4 @@
-"""Functions, environment variables and timers."""
+"""Functions and environment variables."""
 
 from launch import LaunchDescription
 from launch.actions import (
@@ -9,10 +9,9 @@ from launch.actions import (
     OpaqueFunction,
     SetEnvironmentVariable,
     SetLaunchConfiguration,
-    TimerAction,
 )
 from launch.substitutions import EnvironmentVariable, LaunchConfiguration
-from launch_ros.actions import Node, PushRosNamespace, SetParameter
+from launch_ros.actions import Node, SetParameter
 
 
 def make(context, count, *, prefix):
@@ -43,14 +42,7 @@ def generate_launch_description():
         variable('set'),
         GroupAction([SetEnvironmentVariable('TRY', '2'), variable('in_group')]),
         variable('after_group'),
-        GroupAction([
-            PushRosNamespace('early'), SetLaunchConfiguration('speed', '1'),
-            TimerAction(period=0.4, actions=[
-                Node(package='p', executable='late', parameters=[{'speed': LaunchConfiguration('speed')}]),
-                TimerAction(period=0.1, actions=[Node(package='p', executable='later')])]),
-            TimerAction(period=[LaunchConfiguration('no_period', default='0'), '.2'], actions=[
-                Node(package='p', executable='first_timer')])]),
-        SetParameter('set_after_the_timers', True),
+        SetParameter('set_at_last', True),
         SetLaunchConfiguration('speed', '2'),
         ExecuteProcess(cmd=['echo', ['speed ', LaunchConfiguration('speed')], 'a b']),
         Node(executable='/usr/bin/program', arguments=['--x'], ros_arguments=['--log-level', 'debug'],

@@ -273,7 +273,7 @@ class OpaqueFunction(Action):
 
 
 class TimerAction(Action):
-    """Actions that are carried out some seconds later, when all others have been."""
+    """Actions that are carried out some seconds later: only a rehearsal carries them out, after all others."""
 
     def __init__(self, *, period: Any, actions: Iterable[Action], condition: Condition | None = None):
         super().__init__(condition=condition)
@@ -281,7 +281,8 @@ class TimerAction(Action):
         self.actions = expect_actions(actions)
 
     def execute(self, context: Context) -> None:
-        context.postponed.append((typed_float(self.period, context), self.actions))
+        context.expect_launchable('TimerAction')
+        context.postponed.append(self.actions)
 
     def declared_arguments(self) -> Iterator[DeclaredArgument]:
         yield from _declared_in(self.actions, is_conditional=True)
@@ -316,6 +317,8 @@ class Process(Action):
         :param name: The program's on the screen.
         """
         prefix = context.launch_configurations.get('launch-prefix', '') if self.prefix is None else self.prefix
+        if typed_bool(self.respawn, context):
+            context.expect_launchable('respawn= of a program')
         environment = dict(context.environment)
         for variable, value in (self.additional_env or {}).items():
             environment[perform(variable, context)] = perform(value, context)
@@ -323,7 +326,6 @@ class Process(Action):
             [*shlex.split(perform(prefix, context)), *command], name, *self.streams_on_screen(context),
             environment=None if environment == context.environment_before else environment,
             folder=None if self.cwd is None else Path(perform(self.cwd, context)),
-            respawn_sec=(self.respawn_delay or 0.0) if typed_bool(self.respawn, context) else None,
             ends_all=self._ends_all(context))
 
     def streams_on_screen(self, context: Context) -> tuple[bool, bool]:
@@ -370,7 +372,7 @@ class RegisterEventHandler(Action):
 
     def execute(self, context: Context) -> None:
         context.expect_launchable(f'event handler {type(self.event_handler).__name__}')
-        context.postponed.append((float('inf'), self.event_handler.actions))
+        context.postponed.append(self.event_handler.actions)
 
 
 @dataclass(kw_only=True)
@@ -393,22 +395,9 @@ class Event:
 
 
 def carry_out(actions: Iterable[Action], context: Context) -> list[Program]:
-    """Carry out actions and, after them, what timers have postponed; return the programs to start."""
-    programs: list[Program] = []
-    pending: list[tuple[float, Iterable[Action]]] = [(0.0, actions)]
+    """Carry out actions and, in a rehearsal, after them what was postponed; return the programs to start."""
     with context.scope():
-        while pending:
-            delay, due = pending.pop(0)
-            programs += [program._replace(delay_sec=delay) for program in LaunchDescription(due).execute(context)]
-            pending += [(delay + period, later) for period, later in context.postponed]
-            pending.sort(key=lambda each: each[0])
-            context.postponed.clear()
+        programs = LaunchDescription(actions).execute(context)
+        while context.postponed:
+            programs += LaunchDescription(context.postponed.pop(0)).execute(context)
     return programs
-
-
-def typed_float(value: Any, context: Context) -> float:
-    """Return a number, or the one that a substitution stands for."""
-    try:
-        return float(value if isinstance(value, (int, float)) else perform(value, context))
-    except ValueError as error:
-        raise LaunchFailed(error) from None

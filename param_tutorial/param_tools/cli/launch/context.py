@@ -52,8 +52,8 @@ class Context:
     """The environment variables before the launch file was carried out."""
     originals: dict[Path, Path] = field(default_factory=dict)
     """For each parameter file whose substitutions were carried out, the file that holds them."""
-    postponed: list[tuple[float, Sequence[Any]]] = field(default_factory=list)
-    """The actions of timers, each with the seconds that it waits."""
+    postponed: list[Sequence[Any]] = field(default_factory=list)
+    """In a rehearsal, the actions of timers and event handlers."""
 
     def perform_substitution(self, substitution: Any) -> str:
         """Return the string that a substitution stands for."""

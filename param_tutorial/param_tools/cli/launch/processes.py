@@ -1,8 +1,6 @@
 """The programs of a launch file while they run: their output, their end, and Ctrl+C."""
 
 import contextlib
-import itertools
-import math
 import os
 import queue
 import signal
@@ -36,10 +34,6 @@ class Program(NamedTuple):
     """Its environment variables; by default those of this process."""
     folder: Path | None = None
     """Where it runs; by default where this process does."""
-    delay_sec: float = 0.0
-    """How long after the others it starts."""
-    respawn_sec: float | None = None
-    """How long after its end it starts again; None if it does not."""
     ends_all: bool = False
     """True if its end ends all."""
 
@@ -54,7 +48,6 @@ class Launcher:
     def __init__(self, stdout: TextStream):
         self._stdout = stdout
         self._lock = threading.Lock()
-        self._numbers = itertools.count(1)
         self._running: dict[str, Command] = {}
         # The names of programs that have ended, and the numbers of signals that have come.
         self._events: queue.SimpleQueue[str | int] = queue.SimpleQueue()
@@ -73,32 +66,20 @@ class Launcher:
         """Start programs, and wait until all have ended; Ctrl+C or SIGTERM ends them."""
         before = {number: signal.signal(number, lambda number, _frame: self._events.put(number)) for number in _SIGNALS}
         try:
-            begin = time.monotonic()
-            named = {f'{program.name}-{next(self._numbers)}': program for program in programs}
-            # The programs that are to start, and when: those of timers later, and those that start again.
-            due = {name: begin + program.delay_sec for name, program in named.items()}
-            while due or self._running:
-                for name in [name for name, moment in due.items() if moment <= time.monotonic()]:
-                    del due[name]
-                    self._start(name, named[name])
-                next_moment = min(due.values(), default=math.inf)
-                yield lambda: (not self._events.empty() or time.monotonic() >= next_moment  # noqa: B023
-                               or not (due or self._running))
-                if self._events.empty():
-                    continue
+            named = {f'{program.name}-{number}': program for number, program in enumerate(programs, 1)}
+            for name, program in named.items():
+                self._start(name, program)
+            while self._running:
+                yield lambda: not self._events.empty()
                 event = self._events.get()
                 if not isinstance(event, str):
                     self.log('WARNING', 'launch', f'user interrupted with {_SIGNALS[signal.Signals(event)]}')
-                    due.clear()
                     yield from self._end_all()
                     continue
                 del self._running[event]
                 if named[event].ends_all:
                     self.log('INFO', 'launch', f'process[{event}] was required: shutting down launched system')
-                    due.clear()
                     yield from self._end_all()
-                elif (pause := named[event].respawn_sec) is not None:
-                    due[event] = time.monotonic() + pause
         finally:
             for number, handler in before.items():
                 signal.signal(number, handler)
