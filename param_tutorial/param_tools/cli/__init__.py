@@ -12,8 +12,8 @@ byte, as 61 recordings in tests/cli/transcripts have it, the others as its sourc
 - ``run`` and ``launch`` find provided packages (``ros.environment``) without a build, and a notebook's cell rejects a
   command that would keep it busy. ``run`` passes SIGTERM on to its program.
 - ``pkg create`` writes Python packages only, and no LICENSE.
-- ``launch`` reads files in Python, XML and YAML, with what ``launch/reading.py`` and ``launch/markup.py`` list: what 602
-  launch files of 24 public repositories use. It rejects the use of anything else by its name, and it starts no
+- ``launch`` reads files in Python, XML and YAML, with what ``launch/reading.py`` and ``launch/markup.py`` list: what
+  602 launch files of 24 public repositories use. It rejects the use of anything else by its name, and it starts no
   components, timers and event handlers, which ``check --launch`` reads. It works out everything before it starts the
   first program, and keeps no log files.
 - The commands that the genuine one has not follow its conventions.

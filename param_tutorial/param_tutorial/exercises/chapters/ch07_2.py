@@ -74,7 +74,7 @@ def launch(trial: Trial, text: str, **arguments: str) -> Launched:
 
         def work_out() -> tuple[LaunchDescription, list[Program]]:
             description = load_description(path)
-            return description, description.execute(Context(dict(arguments), Path(folder), warn=lambda _: None))
+            return description, description.execute(Context(dict(arguments), Path(folder)))
 
         try:
             description, found = trial.call('the launch file', work_out)
