@@ -88,18 +88,6 @@ def test_a_panel_is_opened_and_shut(shown):
     assert repr(shown) == '<ParameterBrowser: closed>'
 
 
-def test_the_only_node_can_open_by_itself(ros):
-    ros.add(Fan)
-    browser = ParameterBrowser()
-    browser.show_only()
-    wait_until(lambda: lines(browser)['/fan']['is_open'], 'the mark')
-    browser.hide('/fan')
-    ros.add(Arm)
-    wait_until(lambda: browser.nodes == ['/arm', '/fan'], 'the other one')
-    browser.show_only()
-    assert not browser._panels
-
-
 @pytest.mark.slow
 def test_the_panel_of_a_node_that_has_gone_can_still_be_shut(ros, shown):
     press(shown, 'toggle', node='/fan')

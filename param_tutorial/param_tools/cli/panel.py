@@ -57,7 +57,7 @@ _TEMPLATE = '''{%- extends 'voila/templates/lab/index.html.j2' -%}
 _CODE = '''import html, os
 import param_tools
 from IPython.display import HTML, display
-from param_tools.panel.page import show_page
+from param_tools import ParameterPanel
 from param_tools.ros import domain
 os.chdir({folder!r})
 param_tools.start().services.is_read_only = {is_read_only}
@@ -69,8 +69,6 @@ def add_to(commands: Commands) -> None:
     parser = commands.add_parser('panel', help='show and change parameters on a page in the browser')
     parser.add_argument('nodes', nargs='*', metavar='NODE', help='the nodes to open; by default a list of all nodes')
     parser.add_argument('--port', type=int, default=_PORT, help=f'where to listen, or near it; default: {_PORT}')
-    parser.add_argument('--presets', default='.', metavar='FOLDER',
-                        help='where the presets of the page are kept; default: the current folder')
     parser.add_argument('--no-browser', action='store_true', help='only print the address')
     parser.add_argument('--read-only', action='store_true', help='only show: nothing can be set or saved from the page')
     parser.add_argument('--host', default=_HOST, metavar='ADDRESS',
@@ -98,7 +96,7 @@ def panel(session: Session, args: argparse.Namespace) -> None:
     name = socket.gethostname() if args.host in _ANY_HOST else args.host
     address = f'http{"s" if encryption else ""}://{f"[{name}]" if ":" in name else name}'
     policy = _POLICY.format(sockets=address.replace('http', 'ws', 1))
-    with _files(_notebook(nodes, args.presets, is_read_only=args.read_only)) as folder:
+    with _files(_notebook(nodes, is_read_only=args.read_only)) as folder:
         config: dict[str, Any] = {
             'Voila': {'ip': args.host, 'port': args.port, 'token': token, 'log_level': 'ERROR',
                       'open_browser': False, 'notebook_path': str(folder / 'Parameters.ipynb'),
@@ -206,9 +204,9 @@ def _files(notebook: dict[str, Any]) -> Iterator[Path]:
         yield folder
 
 
-def _notebook(nodes: Sequence[str], presets: str, *, is_read_only: bool) -> dict[str, Any]:
+def _notebook(nodes: Sequence[str], *, is_read_only: bool) -> dict[str, Any]:
     """Return a notebook that shows the page."""
-    show = f'show_page({list(nodes)!r}, {presets!r})'
+    show = '\n'.join(f'display(ParameterPanel({node!r}))' for node in nodes) or 'display(ParameterPanel())'
     # Relative paths in the panel's form for files are those of the shell.
     code = _CODE.format(folder=os.getcwd(),  # noqa: PTH109 - a text for the cell
                         is_read_only=is_read_only, show=show,

@@ -47,14 +47,6 @@ export function focusedBeside(element) {
   return /** @type {Document | ShadowRoot} */ (element.getRootNode()).activeElement;
 }
 
-/**
- * Return a time as the clock of this browser shows it: 2026-11-27 19:05:30. The kernel's may be in another time zone.
- * @param {string | number} time As a Date takes it.
- */
-export function localTime(time) {
-  return new Date(time).toLocaleString('sv');
-}
-
 /** Return a name that no other script on the page has. Each view has its scripts for itself, so counting would not do. */
 export function uniqueName() {
   return Math.random().toString(36).slice(2);

@@ -536,11 +536,6 @@ class ParameterBrowser(FollowingView):
         self._job.wake()
         return self._panels[node]
 
-    def show_only(self) -> None:
-        """Open the panel of the only node, if there is just one: nothing else can be meant."""
-        if len(self.nodes) == 1:
-            self.show(self.nodes[0])
-
     def hide(self, node: str) -> None:
         """Close the panel of a node, if it is open."""
         with self._drawing:

@@ -269,32 +269,6 @@ class ChangeLog(WordTable[LoggedChange]):
 # -- following ------------------------------------------------------------------------------------------------
 
 
-def follow_soon(listener: Callable[[list[LoggedChange]], None], executor: BackgroundExecutor,
-                nodes: Iterable[str] = ()) -> Callable[[], object]:
-    """Start a ChangeFollower without keeping the caller waiting while it reads the nodes.
-
-    :return: Ends it, also without waiting.
-    """
-    followers: list[ChangeFollower] = []
-    is_over = False
-
-    def follow() -> None:
-        if not is_over:
-            with contextlib.suppress(ExecutorError, InvalidHandle):  # the executor has been stopped meanwhile
-                followers.append(ChangeFollower(listener, nodes=nodes, executor=executor))
-        if is_over:
-            end()
-
-    def end() -> None:
-        nonlocal is_over
-        is_over = True
-        for each in followers:
-            host.host.run(each.close, 'end of parameter changes')
-
-    host.host.run(follow, 'parameter changes')
-    return end
-
-
 class ChangeFollower:
     """Hears of every change of every parameter, and knows the value before it. A context manager.
 
