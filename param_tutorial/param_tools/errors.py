@@ -15,7 +15,6 @@
         ├── NodeNotFoundError       there is no node of that name                   (also LookupError)
         ├── NoAnswerError           the node is there and did not answer in time    (also TimeoutError)
         ├── NodeGoneError           the node went away in mid-call                  (also ConnectionError)
-        ├── ReadOnlyError           nothing may be set from this process
         ├── CallbackError           the node's own callback raised instead of answering
         ├── ParameterNotDeclaredError  the node has no parameter of that name       (also LookupError)
         └── ParameterRejectedError   the node said no; carries ``.result``
@@ -115,13 +114,6 @@ class NodeGoneError(NodeError, ConnectionError):
     def __init__(self, node: str, service: str):
         super().__init__(node, f'{node} went away before it answered {service}: whether it did what was '
                                f'asked is not known')
-
-
-class ReadOnlyError(NodeError):
-    """Nothing may be set from this process, as of a page that only shows parameters."""
-
-    def __init__(self, node: str):
-        super().__init__(node, f'nothing was set at {node}: this panel is read-only')
 
 
 class CallbackError(NodeError):

@@ -164,10 +164,3 @@ def test_the_page_rejects_requests_without_the_token(page_process):
     assert address.partition('token=')[2] not in ' '.join(psutil.Process(process.pid).cmdline())
     process.send_signal(signal.SIGTERM)
     assert process.wait() == 0
-
-
-def test_a_name_that_no_node_can_have_starts_nothing(environment):
-    done = subprocess.run([sys.executable, '-m', 'param_tutorial', 'panel', '/no good'], env=environment,
-                          capture_output=True, text=True)
-    assert done.returncode == 1
-    assert '/no good' in done.stderr and 'Traceback' not in done.stderr

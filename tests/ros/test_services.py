@@ -1,7 +1,7 @@
 """Calls with a deadline: what comes back, and with which error each way to fail ends."""
 
 import pytest
-from rcl_interfaces.srv import GetParameters, ListParameters, SetParameters, SetParametersAtomically
+from rcl_interfaces.srv import ListParameters, SetParameters
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
@@ -11,7 +11,6 @@ from param_tools.errors import (
     NodeError,
     NodeNotFoundError,
     ParameterToolError,
-    ReadOnlyError,
 )
 from param_tools.ros.services import full_name
 from param_tools.ros.waiting import wait_until
@@ -58,21 +57,6 @@ def test_a_node_without_parameter_services_is_distinguished_from_a_missing_one(r
         ros.services.call('/mute', 'list_parameters', ListParameters.Request())
     assert not isinstance(caught.value, NodeNotFoundError)
     assert not ros.services.is_ready('/mute')
-
-
-def test_nothing_is_set_where_all_is_read_only(ros):
-    ros.add(Node, 'talker').declare_parameter('x', 1)
-    ros.services.is_read_only = True
-    try:
-        for service, request in (('set_parameters', set_x(2)),
-                                 ('set_parameters_atomically',
-                                  SetParametersAtomically.Request(parameters=set_x(2).parameters))):
-            with pytest.raises(ReadOnlyError, match='nothing was set at /talker'):
-                ros.services.call('/talker', service, request)
-        answer = ros.services.call('/talker', 'get_parameters', GetParameters.Request(names=['x']))
-        assert answer.values[0].integer_value == 1
-    finally:
-        ros.services.is_read_only = False
 
 
 @pytest.mark.slow

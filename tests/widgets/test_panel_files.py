@@ -57,32 +57,6 @@ def ask_form(panel, do, *, is_save, path='', changed_only=False):
     return sent[0]
 
 
-def test_nothing_is_saved_loaded_or_set_where_all_is_read_only(ros, arm):
-    write('arm.yaml', MIXED)
-    arm['reach'].value = 0.75
-    arm.settle()
-    before = {name: arm[name].value for name in arm}
-    ros.services.is_read_only = True
-    try:
-        said = ask_form(arm, 'act', is_save=True, path='new.yaml')['said']
-        assert 'this panel is read-only: it writes no file' in said
-        assert not Path('new.yaml').exists()
-        assert 'nothing was set at /arm: this panel is read-only' in ask_form(arm, 'act', is_save=False,
-                                                                              path='arm.yaml')['said']
-        arm.undo()
-        assert arm.not_restored == {'reach': 'nothing was set at /arm: this panel is read-only'}
-        arm.reset()
-        arm.gather()
-        enter(arm, 'reach', '0.25')
-        assert arm.apply() == 'nothing was set at /arm: this panel is read-only'
-        arm.discard()
-        arm.settle()
-        assert {name: arm[name].value for name in arm} == before
-        assert arm._front.state['is_read_only']
-    finally:
-        ros.services.is_read_only = False
-
-
 def test_what_is_saved_comes_back(arm):
     first = ParameterClient(NODE).get_parameters()
     dump = arm.save('config/arm.yaml')

@@ -9,10 +9,9 @@ import {all, focusedBeside, make, one} from './dom.js';
  * @typedef {{text: string, position?: number, is_locked?: boolean, is_busy?: boolean, message?: string[] | null,
  *   first?: string, is_gathered?: boolean, items?: string[]}} RowState
  *
- * What a panel shows: why nothing can be changed now, which buttons do something, rows by name, the machine of the node
- * in words, and whether nothing can be set from here.
+ * What a panel shows: why nothing can be changed now, which buttons do something, and rows by name.
  * @typedef {{status?: string, rows: Record<string, RowState>, undo?: boolean, redo?: boolean, gathered?: number,
- *   note?: string, machine?: string, is_read_only?: boolean}} PanelState
+ *   note?: string}} PanelState
  *
  * What a person entered: one of the first three. `number` counts the entries of a row, and `grip` how often the slider
  * was taken hold of.
@@ -401,12 +400,10 @@ export class ParameterPanel {
 
   /** @param {PanelState} state */
   show(state) {
-    const {status, machine, is_read_only: isReadOnly} = state;
-    this.isLocked = Boolean(status || isReadOnly);
-    const facts = [this.status.dataset.count, machine && `on ${machine}`, isReadOnly && 'read-only'];
-    this.status.textContent = status || facts.filter(Boolean).join(', ');
+    const {status} = state;
+    this.isLocked = Boolean(status);
+    this.status.textContent = status || (this.status.dataset.count ?? '');
     this.status.classList.toggle('param-status-bad', Boolean(status));
-    this.root.classList.toggle('param-nothing-to-set', Boolean(isReadOnly));
     for (const [name, row] of this.rows) if (state.rows[name]) row.show(state.rows[name]);
     this.showTools(state);
   }

@@ -214,12 +214,10 @@ class ParameterPanel(ParameterView):
         :param path: An existing file is replaced as a whole, or not at all.
         :param changed_only: Only what differs from its first value.
         :return: The text, and which parameters no file can hold (``left_out``), with the reason.
-        :raises ParameterFileError: there is nothing to write, no such path, or nothing may be set from here.
+        :raises ParameterFileError: there is nothing to write, no such path.
         :raises OSError: the file cannot be written.
         :raises WaitTimeoutError: the node does not answer in time.
         """
-        if self._surroundings().get('is_read_only'):
-            raise ParameterFileError('this panel is read-only: it writes no file')
         self.settle()
         dump = self.dump(changed_only=changed_only)
         dump.save(as_path(path, is_typed=True))
@@ -408,16 +406,7 @@ class ParameterPanel(ParameterView):
                 self._front.state = {
                     'status': live.status, 'undo': self._edits.can_undo, 'redo': self._edits.can_redo,
                     'rows': {name: state.as_json() for name, state in states.items()},
-                    **self._surroundings(),
                     **self._gathering()}
-
-    def _surroundings(self) -> dict[str, Any]:
-        """Return which machine the node is on, as far as it is known, and whether nothing can be set from here."""
-        try:
-            executor = stage.current()
-        except ExecutorError:
-            return {}
-        return {'machine': executor.machine_of(self.node), 'is_read_only': executor.services.is_read_only}
 
     def _gathering(self) -> dict[str, Any]:
         """Return what the script has to know of what is gathered; nothing if each change is sent at once."""
@@ -570,9 +559,8 @@ class ParameterBrowser(FollowingView):
             if name in found or name in self._panels:
                 hits = [[hit, format_value(node.descriptors[hit], node.values[hit])]
                         for hit in list(found.get(name, ()))[:_HITS]]
-                machine = self._executor.machine_of(name) if self._executor else ''
                 lines[name] = {'name': name, 'is_open': name in self._panels, 'is_bad': bool(node.problem),
-                               'says': f'{_says(node)}, on {machine}' if machine else _says(node), 'hits': hits}
+                               'says': _says(node), 'hits': hits}
         # A panel outlives its node, and should still be closed where it was opened. The node may also be there: one
         # that was stopped for longer than DDS waits answers again, but ROS lists it no more.
         lines |= {name: {'name': name, 'is_open': True, 'is_bad': True, 'says': 'not in the graph', 'hits': []}

@@ -75,35 +75,12 @@ def is_limited_to_this_host() -> bool:
     if os.environ.get('ROS_STATIC_PEERS'):
         return False
     discovery_range = os.environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE', '').upper()
-    return discovery_range in ('LOCALHOST', 'OFF') or not is_open_to_other_hosts()
-
-
-def is_open_to_other_hosts() -> bool:
-    """True if a node on another machine that looks for nodes here finds them.
-
-    With LOCALHOST, a process looks for none elsewhere, and still listens on all interfaces.
-    """
-    return not (os.environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE', '').upper() == 'SYSTEM_DEFAULT' and _on_loopback())
+    return discovery_range in ('LOCALHOST', 'OFF') or (discovery_range == 'SYSTEM_DEFAULT' and _on_loopback())
 
 
 def reaches_other_hosts() -> bool:
     """True if this process has its domain, and it is not limited to this host."""
     return bool(os.environ.get('ROS_DOMAIN_ID')) and not is_limited_to_this_host()
-
-
-def describe() -> str:
-    """Return in words which domain this process is in, and where it looks for other nodes."""
-    if is_limited_to_this_host():
-        places = 'on this machine only'
-    elif server := os.environ.get('ROS_DISCOVERY_SERVER'):
-        places = f'through the discovery server {server}'
-    else:
-        discovery_range = os.environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE', '').upper()
-        places = {'LOCALHOST': 'on this machine', 'OFF': 'in this process',
-                  'SYSTEM_DEFAULT': 'where the DDS profile says'}.get(discovery_range, 'on this machine and its subnet')
-        if peers := os.environ.get('ROS_STATIC_PEERS'):
-            places += f', and at {peers.replace(";", ", ")}'
-    return f'ROS domain {os.environ.get("ROS_DOMAIN_ID", "0")}, looks for nodes {places}'
 
 
 def _on_loopback() -> bool:

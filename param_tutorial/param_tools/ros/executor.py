@@ -36,7 +36,7 @@ from rclpy.timer import Timer
 
 from param_tools.errors import ExecutorError, StuckError
 from param_tools.ros import domain, host, interrupts, no_input, rclpy_private, tutorial_lines
-from param_tools.ros.graph import Incarnations, incarnations, machine_of, nodes_in_graph, own_machine
+from param_tools.ros.graph import Incarnations, incarnations, nodes_in_graph
 from param_tools.ros.listeners import Listeners
 from param_tools.ros.node_log import NodeLog
 from param_tools.ros.services import Services
@@ -183,7 +183,6 @@ class BackgroundExecutor:
                 ParameterEvent, '/parameter_events', self._event_listeners.call, qos_profile_parameter_events)
             self._executor.add_node(self.tool_node)
             self.services = Services(self)
-            self._machine = own_machine(self.tool_node) if domain.is_open_to_other_hosts() else ''
             self._let_go_of_rclpy = undo.enter_context(contextlib.ExitStack())
             self._let_go_of_rclpy.callback(tutorial_lines.replace(self, self._executor))
             self._let_go_of_rclpy.callback(no_input.allow, self._objection)
@@ -531,21 +530,6 @@ class BackgroundExecutor:
         :return: The DDS identities of their publishers on /parameter_events; every node has one.
         """
         return frozenset(gid for name, gid in self._incarnations if name == node)
-
-    def machine_of(self, node: str) -> str:
-        """Return in words on which machine a node is; empty if its DDS tells nothing.
-
-        A machine other than this one has a number, the same one in each process there that was started with the same
-        addresses. Two nodes of one name may be on two machines. Where nodes are looked for on this machine only, it is
-        not said of each that it is here.
-
-        :param node: Fully qualified name.
-        """
-        found = {machine_of(gid) for gid in self.node_incarnations(node)} - {''}
-        if not self._machine or (domain.is_limited_to_this_host() and found == {self._machine}):
-            return ''
-        return ' and '.join('this machine' if each == self._machine else f'another machine ({each})'
-                            for each in sorted(found))
 
     def _check_graph(self) -> bool:
         """Tell the listeners if the graph has changed, and return whether it has."""

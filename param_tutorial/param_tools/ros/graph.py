@@ -6,11 +6,9 @@ passed; and a list of nodes waits until nothing new has come for QUIET_SEC.
 """
 
 import time
-import uuid
 from collections import Counter
 from collections.abc import Callable
 
-from rcl_interfaces.msg import ParameterEvent
 from rclpy.node import Node, NodeNameNonExistentError
 from rclpy.topic_endpoint_info import TopicEndpointInfo
 
@@ -23,8 +21,6 @@ JOINING_SEC = 0.5
 # How long to look for a node that may be on another machine.
 NETWORK_SEC = 2.0
 QUIET_SEC = 0.2
-# What the identity of each endpoint begins with: the number of its vendor in DDS.
-_FAST_DDS = b'\x01\x0f'
 
 Incarnations = frozenset[tuple[str, bytes]]
 
@@ -71,24 +67,6 @@ def incarnations(observer: Node) -> Incarnations:
     """
     return frozenset((name_of(info), bytes(info.endpoint_gid))
                      for info in observer.get_publishers_info_by_topic('/parameter_events'))
-
-
-def machine_of(endpoint_gid: bytes) -> str:
-    """Return the number of the machine on which an endpoint was made, in hexadecimal; empty if its DDS tells none.
-
-    Fast DDS makes the number of all IPv4 addresses that the machine has when a process starts, and puts it after its
-    own number as a vendor (``utils/Host.hpp``).
-    """
-    return endpoint_gid[2:4].hex() if endpoint_gid[:2] == _FAST_DDS else ''
-
-
-def own_machine(observer: Node) -> str:
-    """Return the number of this machine as other processes see it; empty if the DDS here tells none."""
-    topic = f'/_param_tools_{uuid.uuid4().hex}'  # the name of a node may be that of others, too
-    publisher = observer.create_publisher(ParameterEvent, topic, 1)
-    found = observer.get_publishers_info_by_topic(topic)
-    observer.destroy_publisher(publisher)
-    return machine_of(bytes(found[0].endpoint_gid)) if found else ''
 
 
 def wait_for(condition: Callable[[], object], at_least_sec: float = 0.0) -> bool:

@@ -27,7 +27,6 @@ from param_tools.errors import (
     NodeGoneError,
     NodeNotFoundError,
     ParameterToolError,
-    ReadOnlyError,
 )
 from param_tools.ros import domain, graph, waiting
 from param_tools.ros.service_types import SERVICE_TYPES
@@ -35,7 +34,6 @@ from param_tools.ros.waiting import deadline
 
 TIMEOUT_SEC = 3.0
 _TURN_PERIOD_SEC = 0.005
-_SETS = ('set_parameters', 'set_parameters_atomically')
 # Requests that change nothing are sent again while no answer comes: see Services._carry. So is an empty set.
 _QUESTIONS = ('describe_parameters', 'get_parameters', 'get_parameter_types', 'list_parameters', 'set_parameters')
 _REPEAT_PERIOD_SEC = 0.7
@@ -113,8 +111,6 @@ class Services:
         # Of each node, the calls that wait to be sent, the oldest first.
         self._lines: dict[str, deque[Future]] = {}
         self._lock = threading.RLock()
-        self.is_read_only = False
-        """True if no parameter of any node may be set from this process."""
         # Gives coroutines their turns while they wait for something that doesn't wake the executor.
         self._clock = self._tool_node.create_timer(_TURN_PERIOD_SEC, lambda: None, autostart=False)
         self._waiting_coroutines = 0
@@ -157,10 +153,7 @@ class Services:
         :return: Holds the answer, or one of the errors of ``call``; a coroutine in the executor may await it, and what
             is added with ``add_done_callback`` is called in the executor's thread.
         :raises NodeNotFoundError: the name cannot be that of any node.
-        :raises ReadOnlyError: it would set something, and nothing may be set from here.
         """
-        if service in _SETS and request.parameters and self.is_read_only:
-            raise ReadOnlyError(node)
         with self._lock:
             if (node, service) in self._answered and not self._lines.get(node) and self.is_ready(node, service):
                 return self._send(node, service, request, timeout_sec)
