@@ -45,7 +45,6 @@ with lazy.Imports(__name__) as _imports:
     from param_tools.node.declarations import check_declarations as check_declarations
     from param_tools.node.locks import locks as locks
     from param_tools.node.rules import Rules as Rules
-    from param_tools.panel.panel import ParameterBrowser as ParameterBrowser
     from param_tools.panel.panel import ParameterPanel as ParameterPanel
     from param_tools.ros.executor import BackgroundExecutor as BackgroundExecutor
     from param_tools.ros.stage import start as start

@@ -2,6 +2,7 @@
 
 import gc
 import sys
+import threading
 import weakref
 
 import pytest
@@ -10,6 +11,7 @@ from rcl_interfaces.msg import SetParametersResult
 from rclpy.node import Node
 
 import param_tutorial
+from param_tools.panel.front import PendingMessages
 from param_tools.panel.panel import ParameterPanel
 from param_tools.ros import stage
 from param_tools.ros.waiting import wait_until
@@ -85,3 +87,23 @@ def test_after_closing_nothing_listens_any_more(ros):
         gc.collect()
         return not any(reference() for reference in gone)
     wait_until(all_gone, 'the closed widgets to be collected')
+
+
+def test_a_cell_waits_for_the_messages_that_came_before_it_and_not_forever():
+    messages = PendingMessages()
+    assert messages.wait(0)
+    messages.add()
+    messages.add()
+    handlers = [threading.Thread(target=messages.remove) for _ in range(2)]
+    for handler in handlers:
+        handler.start()
+    assert messages.wait(60)
+    for handler in handlers:
+        handler.join()
+    messages.add()
+    assert not messages.wait(0)
+    assert messages.wait(0), 'one that is lost is waited for once'
+    # The late one arrives after all, and does not count as the next one.
+    messages.remove()
+    messages.add()
+    assert not messages.wait(0)

@@ -19,7 +19,7 @@ _UNKNOWN = re.compile(r'^(?:import|export(?! default \{))\b.*', re.MULTILINE)
 def bundle(entry: str) -> str:
     """Return a module and all that it imports as one module that imports nothing.
 
-    :param entry: As for ``sheet``, e.g. ``'param_tools/panel/panel_widget.js'``.
+    :param entry: As for ``sheet``, e.g. ``'param_tools/panel/panel.js'``.
     :raises FileNotFoundError: a module is not there, or was not installed.
     :raises ValueError: a module imports or exports in another form than ``import {a, b} from './file.js';``, ``export``
         before a class, a constant or a function, and ``export default {…}`` in the entry.

@@ -40,12 +40,13 @@ class LiveParameters:
     """Follows the parameters of one node through changes, restarts and absence, from ``first_look`` to ``close``."""
 
     def __init__(self, node: str, show: Callable[[], None], *, names: Iterable[str] | None = None,
-                 timeout_sec: float = TIMEOUT_SEC):
+                 timeout_sec: float = TIMEOUT_SEC, showing: 'threading.RLock | None' = None):
         """
         :param node: Name of the node.
         :param show: Called after anything changed, in the thread of ``schedule`` or in that of ``settle``, never twice
             at once.
         :param names: Only these parameters, in this order; by default all, in the node's order.
+        :param showing: Is held while ``show`` is called; by default a lock of its own.
         """
         self.node = full_name(node)
         self.names = None if names is None else list(names)
@@ -56,8 +57,8 @@ class LiveParameters:
         self._state = LiveState(self.node, timeout_sec)
         self._stop_listening: list[Callable[[], None]] = []
         self._reading_in: BackgroundExecutor | None = None
-        self._looker = Job(self._wake_reader, _SHOW_PERIOD_SEC)
-        self._shower = Job(self._show_step, _SHOW_PERIOD_SEC)
+        self._read_job = Job(self._wake_reader, _SHOW_PERIOD_SEC)
+        self._show_job = Job(self._show_step, _SHOW_PERIOD_SEC, showing)
         self._stop_following: Callable[[], None] = lambda: None
 
     @property
@@ -97,11 +98,11 @@ class LiveParameters:
                 self._listen()  # what remains to be done is done below
             self._wake_reader()
             if not timeout_sec:
-                self._shower.wake()
+                self._show_job.wake()
                 return
             self._require_other_thread()
             self._wait(lambda: not self._is_reading, waiting.deadline(timeout_sec))
-            self._shower.call_now(timeout_sec)
+            self._show_job.call_now(timeout_sec)
         except BaseException:
             self.close()
             raise
@@ -121,7 +122,7 @@ class LiveParameters:
             self._wake_reader()
         while not self._state.closed:
             self._wait_for_answers(end, timeout_sec)
-            self._shower.call_now(end - time.monotonic())
+            self._show_job.call_now(end - time.monotonic())
             with self._lock:
                 if self._state.is_settled:
                     return
@@ -131,8 +132,8 @@ class LiveParameters:
     def close(self) -> None:
         """Stop following. Safe to call more than once."""
         self._hand_over(self._close)
-        self._looker.end()
-        self._shower.end()
+        self._read_job.end()
+        self._show_job.end()
 
     def _hand_over(self, event: Callable[P, Todo], *args: P.args, **kwargs: P.kwargs) -> None:
         """Hand an event to the state machine with the lock held; then, without it, do what is to be done."""
@@ -143,9 +144,9 @@ class LiveParameters:
         if todo.read:
             self._wake_reader()
         if todo.show:
-            self._shower.wake()
+            self._show_job.wake()
         if todo.watch:
-            self._shower.wake(LATE_SEC)
+            self._show_job.wake(LATE_SEC)
 
     def _close(self) -> Todo:
         self._stop_following()
@@ -251,7 +252,7 @@ class LiveParameters:
         with self._lock:
             again_sec = self._state.read_again_in(time.monotonic())
         if again_sec is not None:
-            self._looker.wake(again_sec)
+            self._read_job.wake(again_sec)
 
     async def _outcome(self, reading: Reading, ask: Callable[[str, Any], Awaitable[Any]]) -> Callable[[], Todo]:
         """Ask the node what a reading is about, and return the answer as an event."""

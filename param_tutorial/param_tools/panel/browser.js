@@ -1,9 +1,8 @@
 /* The nodes of a robot: a list that follows them as they come and go, and a search over all their parameters.
 
-   What is opened stands below it, as panels of their own. The search filters them, too, and buttons say what is shown of
-   their rows; browser.css does that. */
+   What is opened stands below it, as panels of their own. */
 
-import {all, make, one} from './dom.js';
+import {make, one} from './dom.js';
 import {initialize} from './front.js';
 
 /**
@@ -12,13 +11,6 @@ import {initialize} from './front.js';
  * @typedef {{name: string, says: string, is_bad: boolean, is_open: boolean, hits: [string, string][]}} ListedNode
  * @typedef {{state: {nodes: ListedNode[], status: string}}} Traits
  */
-
-/** What is to be seen of the opened panels: attributes of all that is shown, and words. */
-const SHOWN = {
-  'data-compact': ['Compact', 'One line for each parameter; its description shows while the mouse rests on its name'],
-  'data-changed': ['Only what has changed', 'Only the parameters that are no longer as this page saw them first'],
-  'data-settable': ['Without read-only', 'Only the parameters that can be set'],
-};
 
 /** @param {RenderProps<Traits>} props */
 function render({model, el}) {
@@ -30,16 +22,8 @@ function render({model, el}) {
   });
   const status = make('span', {className: 'param-status', role: 'status'});
   const list = make('ul', {className: 'node-list'});
-  const tools = make('span', {className: 'param-tools', role: 'group', ariaLabel: 'What is shown of the parameters'});
-  for (const [name, [word, title]] of Object.entries(SHOWN)) {
-    const button = make('button', {type: 'button', title, ariaPressed: 'false'}, word);
-    button.addEventListener('click', () => {
-      button.ariaPressed = String(Boolean(el.closest('.param-browser')?.toggleAttribute(name)));
-    });
-    tools.append(button);
-  }
   const title = make('span', {className: 'param-title', role: 'heading', ariaLevel: '3'}, 'Parameters of all nodes');
-  el.append(make('div', {className: 'param-head'}, title, status, tools, search), list);
+  el.append(make('div', {className: 'param-head'}, title, status, search), list);
   /** @type {Map<string, HTMLElement>} */
   const lines = new Map();
 
@@ -47,14 +31,7 @@ function render({model, el}) {
   let timer;
   function find() {
     clearTimeout(timer);
-    timer = setTimeout(() => {
-      model.send({do: 'find', text: search.value});
-      const panels = el.closest('.param-browser') ?? el;
-      for (const box of all(panels, '.node-panels .param-search', HTMLInputElement)) {
-        box.value = search.value;
-        box.dispatchEvent(new Event('input'));
-      }
-    }, 150);
+    timer = setTimeout(() => model.send({do: 'find', text: search.value}), 150);
   }
   search.addEventListener('input', find);
   search.addEventListener('keydown', event => {

@@ -1,32 +1,117 @@
-"""One parameter on a panel: its value, what stands beside it, and what a person can do with it."""
+"""One parameter on a panel: its editor, its value, what stands beside it, and what a person can do with it.
+
+``node.text`` formats and parses what is typed; ``drawing`` draws the controls.
+"""
 
 import math
+import re
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from decimal import Decimal
 from typing import Any
 
 from param_tools import values
-from param_tools.descriptor import Descriptor
+from param_tools.descriptor import Descriptor, Range, is_housekeeping
 from param_tools.node.live import LiveParameters
 from param_tools.node.live_state import ParameterState
 from param_tools.node.locks import Condition, conditions_of, unmet
-from param_tools.node.text import choices_in_prose, fit, format_items, format_value, parse_items, parse_value
-from param_tools.panel.drawing import PanelRow, RowState
-from param_tools.panel.editors import Scale, row_of, scale_of
+from param_tools.node.text import choices_of, fit, format_value, parse_value
+
+CHECK, TEXT, LINES, CHOICE = 'check', 'text', 'lines', 'choice'
 
 _WAITING = 'Waiting for the node to answer…'
+# JavaScript's numbers are exact up to here.
+_JS_SAFE = 2**53
+# Positions of a slider whose range has no step: enough to feel smooth, few enough to land on round numbers.
+_FINE_POSITIONS = 100
+
+
+@dataclass(frozen=True)
+class PanelRow:
+    """One parameter of a panel, but for what changes with its value."""
+
+    name: str
+    editor: str
+    """CHECK for a check box, TEXT for one line, LINES for several, CHOICE for a list to choose from."""
+    kind: str
+    """The name of its type, e.g. ``'double'``."""
+    description: str = ''
+    constraints: str = ''
+    facts: tuple[str, ...] = ()
+    """What its descriptor says beside the type, e.g. its range."""
+    choices: tuple[str, ...] = ()
+    last: int | None = None
+    """The last position of its slider, counted from 0; None if it has none."""
+    is_read_only: bool = False
+    is_quiet: bool = False
+    """True for what every node has."""
+
+    @property
+    def is_number(self) -> bool:
+        """True if a short box is wide enough for it."""
+        return self.kind in ('integer', 'double')
+
+
+@dataclass
+class RowState:
+    """What a panel shows of a parameter's value."""
+
+    text: str
+    position: int | None = None
+    """Where its slider stands."""
+    is_locked: bool = False
+    is_busy: bool = False
+    """True while the node has been asked for another value; the control shows what was entered until then."""
+    message: tuple[str, str] | None = None
+    """What to say beside the control: 'rejected', 'failed', 'waiting', 'adjusted' or 'locked', and the words."""
+    first: str | None = None
+    """What it had at first, if that is something else."""
+
+    def as_json(self) -> dict[str, Any]:
+        """Return it as the script takes it: with what is other than usual."""
+        usual = vars(RowState(self.text))
+        return {'text': self.text} | {name: value for name, value in vars(self).items() if value != usual[name]}
+
+
+class Scale:
+    """The values at which a slider can stand, counted from 0; doubles are free of the noise of binary fractions."""
+
+    def __init__(self, limits: Range):
+        self._limits, self._number = limits, type(limits.from_value)
+        self._low = Decimal(str(limits.from_value))
+        width = Decimal(str(limits.to_value)) - self._low
+        if limits.step > 0:
+            self._step = Decimal(str(limits.step))
+        else:
+            # Of doubles, one that gives round numbers. The hundredth part of the smallest double is 0.0, but not that
+            # of the smallest Decimal.
+            self._step = Decimal(1) if self._number is int else Decimal(1).scaleb((width / _FINE_POSITIONS).adjusted())
+        self.last = math.ceil(width / self._step)
+
+    def value(self, position: int) -> Any:
+        """Return the value at a position. Both ends are valid even off the step, as the node sees it too."""
+        return self._limits.to_value if position >= self.last else self._number(self._low + position * self._step)
+
+    def nearest(self, value: float) -> int:
+        """Return the position next to a value, which may be out of the range."""
+        below = math.floor((Decimal(str(value)) - self._low) / self._step)
+        return min((min(max(0, each), self.last) for each in (below, below + 1)),
+                   key=lambda each: abs(self.value(each) - value))
 
 
 class Control:
     """One parameter on a panel: ``panel['max_speed_rpm']``."""
 
-    def __init__(self, live: LiveParameters, parameter: ParameterState, take: Callable[..., None]):
+    def __init__(self, live: LiveParameters, parameter: ParameterState, assign: Callable[['Control', Any], None],
+                 ask: Callable[['Control', Any, object], None]):
         """
         :param parameter: What it shows, one of ``live``.
-        :param take: ``ParameterPanel._take``, called with the control and a value that somebody wants.
+        :param assign: Called with the control and a value that code assigns.
+        :param ask: Called with the control, a value that a person entered, and the grip of ``slide``.
         """
         self._live, self.parameter = live, parameter
-        self._take = take
+        self._assign, self._ask = assign, ask
         self.first = parameter.value
         """What it had when its node was added to the stage, or for any other node, when the panel first saw it."""
         self._shape: Any = None
@@ -44,16 +129,15 @@ class Control:
 
     @property
     def value(self) -> Any:
-        """The value that the node confirmed last. Assigning to it asks the node for another one.
+        """The value that the node confirmed last.
 
-        If ``ParameterPanel.gather`` was called, the new value is gathered; if a person pressed *Gather*, what the code
-        assigns is sent nevertheless.
+        Assigning to it asks the node for another one, at once or, after ``ParameterPanel.gather``, with ``apply``.
         """
         return self.parameter.value
 
     @value.setter
     def value(self, value: Any) -> None:
-        self._take(self, fit(self.descriptor, value), is_code=True)
+        self._assign(self, fit(self.descriptor, value))
 
     @property
     def message(self) -> str:
@@ -68,27 +152,23 @@ class Control:
     @property
     def row(self) -> PanelRow:
         """What the panel says of the parameter, but for its value."""
-        self._look()
+        self._fit_to_descriptor()
         return self._row
 
     @property
     def scale(self) -> Scale | None:
         """Where its slider can stand; None if it has none."""
-        self._look()
+        self._fit_to_descriptor()
         return self._scale
 
-    def enter(self, typed: str | Sequence[str]) -> None:
-        """Type a text into the control, or the elements of an array into a box each, and press Enter.
-
-        For a check box, the texts are 'true' and 'false'.
-        """
+    def enter(self, text: str) -> None:
+        """Type a text into the control and press Enter. For a check box, the texts are 'true' and 'false'."""
         try:
-            value = parse_value(self.descriptor, typed) if isinstance(typed, str) else parse_items(
-                self.descriptor, typed)
+            value = parse_value(self.descriptor, text)
         except ValueError as error:
             self._live.reject(self.parameter, str(error))
         else:
-            self._take(self, value)
+            self._ask(self, value, None)
 
     def slide(self, position: int, grip: object = None) -> None:
         """Pull the slider to a position.
@@ -97,23 +177,17 @@ class Control:
         :param grip: Says which pull it belongs to: what is done in one pull is undone at once.
         """
         if self.scale is not None:
-            self._take(self, self.scale.value(min(max(0, position), self.scale.last)), grip)
+            self._ask(self, self.scale.value(min(max(0, position), self.scale.last)), grip)
 
-    def state(self, *, is_locked: bool, known: Mapping[str, Any] | None = None, gathered: Any = ...) -> RowState:
+    def state(self, *, is_locked: bool, known: Mapping[str, Any]) -> RowState:
         """Return what the panel shows of the parameter's value.
 
         :param is_locked: True if nothing can be changed now.
         :param known: The values of the node's parameters, by name: the parameter may depend on one of them.
-        :param gathered: The value that is wanted together with other changes; ``...`` for none.
         """
-        self._look()
-        parameter, descriptor = self.parameter, self.descriptor
-        value, text = parameter.value, format_value(parameter.descriptor, parameter.value)
-        if gathered is not ...:
-            wanted = format_value(descriptor, gathered)
-            return RowState(wanted, self._position(gathered), is_locked, is_gathered=True,
-                            items=format_items(descriptor, gathered),
-                            message=('gathering', f'Now {text}; not sent yet.'))
+        self._fit_to_descriptor()
+        parameter, descriptor, value = self.parameter, self.descriptor, self.value
+        text = format_value(descriptor, value)
         message: tuple[str, str] | None = None
         if parameter.is_late(time.monotonic()):
             message = 'waiting', _WAITING
@@ -122,28 +196,71 @@ class Control:
         elif parameter.adjusted is not ...:
             asked = format_value(descriptor, parameter.adjusted)
             message = 'adjusted', f'You asked for {asked}, and the node has stored {text}.'
-        if lock := unmet(self._conditions, known or {}):
+        if lock := unmet(self._conditions, known):
             is_locked, message = True, message or ('locked', lock)
+        scale = self._scale
+        position = scale.nearest(value) if scale is not None and math.isfinite(value) else None
         first = format_value(descriptor, self.first) if self.is_changed else None
-        return RowState(text, self._position(value), is_locked or descriptor.read_only, parameter.busy, message, first,
-                        items=None if descriptor.read_only else format_items(descriptor, value))
+        return RowState(text, position, is_locked or descriptor.read_only, parameter.busy, message, first)
 
     @property
     def is_changed(self) -> bool:
         """True if it can be brought back to another value, its first one."""
         return not (self.descriptor.read_only or self.first is None or values.same(self.first, self.value))
 
-    def _position(self, value: Any) -> int | None:
-        scale = self.scale
-        return scale.nearest(value) if scale is not None and math.isfinite(value) else None
-
-    def _look(self) -> None:
-        """Work out editor and scale anew where the node describes the parameter in another way."""
+    def _fit_to_descriptor(self) -> None:
+        """Choose editor and scale anew if the node describes the parameter in another way."""
         descriptor, value = self.descriptor, self.value
-        shape = (descriptor, value is None, isinstance(value, str) and ('\n' in value or '\r' in value),
-                 choices_in_prose(descriptor, value))
+        shape = descriptor, value is None, _has_lines(value)
         if shape != self._shape:
             self._shape = shape
             self._scale = scale_of(descriptor, value)
             self._row = row_of(descriptor, value, self._scale)
             self._conditions = conditions_of(descriptor)
+
+
+def scale_of(descriptor: Descriptor, value: Any) -> Scale | None:
+    """Return where the slider of a parameter can stand; None if the parameter has no slider."""
+    if descriptor.dynamic_typing or value is None or descriptor.range is None or not _fits_slider(descriptor.range):
+        return None
+    return Scale(descriptor.range)
+
+
+def row_of(descriptor: Descriptor, value: Any, scale: Scale | None) -> PanelRow:
+    """Return what a panel's row says of a parameter, but for its value.
+
+    :param value: What the parameter has, which decides about its editor.
+    """
+    facts = []
+    if descriptor.range:
+        facts.append(f'{descriptor.range.from_value} to {descriptor.range.to_value}'
+                     + (f' in steps of {descriptor.range.step}' if descriptor.range.step else ''))
+    facts += ['any type'] * descriptor.dynamic_typing
+    choices = tuple(format_value(descriptor, each) for each in choices_of(descriptor))
+    if descriptor.dynamic_typing or value is None:
+        editor = TEXT
+    elif _has_lines(value):
+        editor = LINES
+    elif descriptor.type is values.BOOL:
+        editor = CHECK
+    else:
+        editor = CHOICE if choices else TEXT
+    return PanelRow(
+        name=descriptor.name, editor=editor, kind=descriptor.type.label, description=descriptor.description,
+        constraints=descriptor.additional_constraints, facts=tuple(facts), choices=choices,
+        last=scale.last if scale else None, is_read_only=descriptor.read_only,
+        is_quiet=is_housekeeping(descriptor.name))
+
+
+def _has_lines(value: Any) -> bool:
+    return isinstance(value, str) and bool(re.search(r'[\n\r]', value))
+
+
+def _fits_slider(limits: Range) -> bool:
+    """True if a browser's slider can express this range: it cannot stand still, be endless, or count beyond 2**53."""
+    if not (limits.from_value < limits.to_value and math.isfinite(limits.to_value - limits.from_value)):
+        return False
+    if isinstance(limits.from_value, int):
+        return max(abs(limits.from_value), abs(limits.to_value)) <= _JS_SAFE
+    return not limits.step > 0 or (math.isfinite(limits.step)
+                                   and (limits.to_value - limits.from_value) / limits.step <= _JS_SAFE)

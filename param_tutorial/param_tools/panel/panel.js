@@ -1,129 +1,34 @@
 /* A parameter panel on a page: it shows what the node confirmed, and passes on what a person enters.
 
-   `panel_widget.js` connects it with the kernel. The markup is Python's: `drawing.py`. */
+   The kernel holds the state: `panel.py`. The markup is Python's, too: `drawing.py`. */
 
-import {all, focusedBeside, make, one} from './dom.js';
+import {all, focusedBeside, make, one, uniqueName} from './dom.js';
+import {initialize} from './front.js';
 
 /**
- * What a panel shows of a parameter's value; see the class of this name in `drawing.py`.
+ * @import {RenderProps} from '@anywidget/types'
+ *
+ * What a panel shows of a parameter's value; see the class of this name in `control.py`.
  * @typedef {{text: string, position?: number, is_locked?: boolean, is_busy?: boolean, message?: string[] | null,
- *   first?: string, is_gathered?: boolean, items?: string[]}} RowState
+ *   first?: string}} RowState
  *
- * What a panel shows: why nothing can be changed now, which buttons do something, and rows by name.
- * @typedef {{status?: string, rows: Record<string, RowState>, undo?: boolean, redo?: boolean, gathered?: number,
- *   note?: string}} PanelState
+ * What a panel shows: why nothing can be changed now, whether there is something to undo, and rows by name; and of each
+ * script that shows it, the number of the last entry that the kernel has passed on to the node.
+ * @typedef {{status: string, undo: boolean, rows: Record<string, RowState>, passed_on: Record<string, number>}} PanelState
  *
- * What a person entered: one of the first three. `number` counts the entries of a row, and `grip` how often the slider
- * was taken hold of.
- * @typedef {{text?: string, position?: number, items?: string[], number: number, grip: number}} Entry
- *
- * What a person does: enters something, or presses a button. Without a name, a button is for all parameters.
- * @typedef {{do: string, name?: string} & Partial<Entry>} Wish
+ * What a person entered: a text or a slider's position. `grip` counts how often the slider was taken hold of.
+ * @typedef {{text?: string, position?: number, grip: number}} Entry
  *
  * @typedef {HTMLElement & {value: string, disabled: boolean}} Box
  */
 
-// What is said until an entry is taken up.
+// What is said until an entry is passed on.
 const PATIENCE = 'Waiting for the kernel, which is still running a cell\u2026';
-
-/** The elements of an array, one box for each, below a row's text box. */
-class Elements {
-  isTyping = false;
-  list = make('ol');
-
-  /**
-   * @param {PanelRow} row
-   * @param {HTMLButtonElement} button
-   */
-  constructor(row, button) {
-    this.row = row;
-    this.button = button;
-    this.add = this.makeButton('Add', `Add an element to ${row.name}`, () => {
-      this.append('');
-      this.boxes.at(-1)?.focus();
-    });
-    this.element = make('div', {className: 'param-elements', hidden: true}, this.list, this.add);
-    one(row.element, '.param-line').after(this.element);
-    button.hidden = false;
-    button.addEventListener('click', () => this.open(Boolean(this.element.hidden)));
-    this.element.addEventListener('keydown', event => {
-      row.panel.keep(event);
-      if (event.key === 'Enter' && event.target instanceof HTMLInputElement) this.commit();
-      if (event.key === 'Escape') {
-        this.isTyping = false;
-        this.open(false);
-        button.focus();
-      }
-    });
-  }
-
-  get boxes() {
-    return all(this.list, 'input', HTMLInputElement);
-  }
-
-  /**
-   * @param {string} text
-   * @param {string} label
-   * @param {() => void} onClick
-   */
-  makeButton(text, label, onClick) {
-    const made = make('button', {type: 'button', ariaLabel: label}, text);
-    made.addEventListener('click', onClick);
-    return made;
-  }
-
-  /** @param {boolean} isWanted */
-  open(isWanted) {
-    this.element.hidden = !isWanted;
-    this.button.ariaExpanded = String(isWanted);
-    this.draw();
-  }
-
-  /** @param {string} text */
-  append(text) {
-    const number = this.list.children.length + 1;
-    const label = `Element ${number} of ${this.row.name}`;
-    const box = make('input', {type: 'text', value: text, autocomplete: 'off', spellcheck: false, ariaLabel: label});
-    box.addEventListener('input', () => {
-      this.isTyping = true;
-    });
-    box.addEventListener('change', () => this.commit());
-    const remove = this.makeButton('Remove', `Remove element ${number} of ${this.row.name}`, () => {
-      item.remove();
-      this.isTyping = true;
-      this.commit();
-      (this.boxes.at(Math.min(number, this.boxes.length) - 1) ?? this.add).focus();
-    });
-    const item = make('li', {}, make('div', {}, box, remove));
-    this.list.append(item);
-  }
-
-  commit() {
-    if (!this.isTyping) return;
-    this.isTyping = false;
-    this.row.enter({items: this.boxes.map(each => each.value)});
-  }
-
-  /** Show what the node has, unless something else is being typed or on its way. */
-  draw() {
-    const {items} = this.row.state;
-    this.button.hidden = !items;
-    if (!items) this.element.hidden = true;
-    if (!items || this.element.hidden || this.isTyping || this.row.isAhead) return;
-    const focused = this.boxes.indexOf(/** @type {HTMLInputElement} */ (focusedBeside(this.element)));
-    this.list.replaceChildren();
-    for (const each of items) this.append(each);
-    if (focused >= 0 && this.boxes.length) this.boxes[Math.min(focused, this.boxes.length - 1)].focus();
-    for (const each of [...this.boxes, ...all(this.element, 'button', HTMLButtonElement)]) {
-      each.disabled = this.row.isLocked;
-    }
-  }
-}
 
 /** A parameter's controls. What was entered stands in them until the answer to just that is there. */
 class PanelRow {
+  // The number of the last entry.
   entered = 0;
-  answered = 0;
   grip = 0;
   isTyping = false;
   /** @type {RowState} */
@@ -132,8 +37,6 @@ class PanelRow {
   drawn;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   timer;
-  /** @type {Elements | undefined} */
-  elements;
 
   /**
    * @param {ParameterPanel} panel
@@ -149,19 +52,14 @@ class PanelRow {
     this.back = /** @type {HTMLButtonElement | null} */ (element.querySelector('.param-back'));
     this.said = one(element, '[data-role=said]');
     this.listen();
-    const items = /** @type {HTMLButtonElement | null} */ (element.querySelector('.param-items'));
-    if (items) this.elements = new Elements(this, items);
   }
 
   listen() {
     const {box, slider, panel} = this;
     if (this.editor === 'check') {
       box.addEventListener('change', () => this.enter({text: String(this.isChecked)}));
-    } else if (box instanceof HTMLSelectElement) {
-      box.addEventListener('change', () => {
-        if (box.selectedOptions[0]?.dataset.other === undefined) this.enter({text: box.value});
-        else this.typeOther(box);
-      });
+    } else if (this.editor === 'choice') {
+      box.addEventListener('change', () => this.enter({text: box.value}));
     } else {
       box.addEventListener('input', () => {
         this.isTyping = true;
@@ -169,7 +67,7 @@ class PanelRow {
       box.addEventListener('blur', () => this.commit());
       box.addEventListener('keydown', event => {
         panel.keep(event);
-        if (event.key === 'Enter' && box.tagName === 'INPUT') this.commit();
+        if (event.key === 'Enter' && this.editor === 'text') this.commit();
         if (event.key === 'Escape') {
           this.isTyping = false;
           this.draw();
@@ -188,45 +86,6 @@ class PanelRow {
     this.back?.addEventListener('click', () => panel.send({do: 'reset', name: this.name}));
   }
 
-  /**
-   * Take another text than those of a list, in a box that stands in the list's place until it is left.
-   * @param {HTMLSelectElement} list
-   */
-  typeOther(list) {
-    const before = this.state.text;
-    const box = make('input', {type: 'text', id: list.id, className: list.className, value: before});
-    Object.assign(box, {autocomplete: 'off', spellcheck: false});
-    box.setAttribute('aria-describedby', list.getAttribute('aria-describedby') ?? '');
-    /** @param {boolean} isWanted */
-    const leave = isWanted => {
-      if (this.box !== box) return;
-      this.box = list;
-      this.isTyping = false;
-      if (isWanted && box.value !== before) {
-        const typed = new Option(box.value);
-        typed.dataset.typed = '';
-        list.add(typed);
-        list.value = box.value;
-        this.enter({text: box.value});
-      } else {
-        this.drawValue();
-      }
-      const hadFocus = box === focusedBeside(box);
-      box.replaceWith(list);
-      if (hadFocus) list.focus();
-    };
-    box.addEventListener('blur', () => leave(true));
-    box.addEventListener('keydown', event => {
-      this.panel.keep(event);
-      if (event.key === 'Enter' || event.key === 'Escape') leave(event.key === 'Enter');
-    });
-    this.box = box;
-    this.isTyping = true;
-    list.replaceWith(box);
-    box.focus();
-    box.select();
-  }
-
   commit() {
     if (!this.isTyping) return;
     this.isTyping = false;
@@ -234,33 +93,28 @@ class PanelRow {
   }
 
   /**
-   * Pass on what was entered; the kernel answers with the number as soon as that has been taken up.
+   * Pass on what was entered. The state names the number of the entry when that has been passed on to the node.
    * @param {Partial<Entry>} entry
    */
   enter(entry) {
-    this.entered += 1;
+    this.entered = this.panel.nextNumber();
     this.panel.send({do: 'enter', name: this.name, ...entry, number: this.entered, grip: this.grip});
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.drawMessage(), 1000);
   }
 
-  /** @param {number} number */
-  answer(number) {
-    this.answered = number;
-    this.draw();
-  }
-
   /** @param {RowState} state */
   show(state) {
-    const text = JSON.stringify([state, this.panel.isLocked]);
+    const text = JSON.stringify([state, this.panel.isLocked, this.isWaiting]);
     if (text === this.drawn) return;
     this.drawn = text;
     this.state = state;
     this.draw();
   }
 
-  get isAhead() {
-    return this.entered !== this.answered || this.state.is_busy;
+  /** True if the kernel has not passed on the last entry. */
+  get isWaiting() {
+    return this.entered > this.panel.passedOn;
   }
 
   get isLocked() {
@@ -274,11 +128,9 @@ class PanelRow {
   draw() {
     this.box.disabled = this.isLocked;
     if (this.slider) this.slider.disabled = this.isLocked;
-    if (!this.isAhead) this.drawValue();
+    if (!this.isWaiting && !this.state.is_busy) this.drawValue();
     this.element.classList.toggle('param-changed', this.state.first !== undefined);
-    this.element.classList.toggle('param-is-gathered', Boolean(this.state.is_gathered));
     this.drawBack();
-    this.elements?.draw();
     this.drawMessage();
   }
 
@@ -288,7 +140,6 @@ class PanelRow {
     if (this.editor === 'check') {
       /** @type {HTMLInputElement} */ (box).checked = text === 'true';
     } else if (!this.isTyping) {
-      if (box instanceof HTMLSelectElement) for (const typed of all(box, '[data-typed]')) typed.remove();
       if (box instanceof HTMLSelectElement && ![...box.options].some(each => each.value === text)) {
         box.add(new Option(text));
       }
@@ -315,30 +166,31 @@ class PanelRow {
   }
 
   drawMessage() {
-    const isWaiting = this.entered !== this.answered;
-    const [kind, words] = isWaiting ? ['waiting', PATIENCE] : (this.state.message ?? ['', '']);
+    const [kind, words] = this.isWaiting ? ['waiting', PATIENCE] : (this.state.message ?? ['', '']);
     if (this.said.dataset.said === `${kind} ${words}`) return;
     this.said.dataset.said = `${kind} ${words}`;
     this.said.replaceChildren();
     if (!kind) return;
     // An alert is read out when it comes onto the page.
     const role = kind === 'rejected' || kind === 'failed' ? 'alert' : 'status';
-    const told = make('span', {className: `param-message param-${kind}`, role});
-    if (kind === 'rejected') told.append(make('b', {}, 'Rejected:'), ' ');
-    told.append(words);
-    this.said.append(told);
+    const message = make('span', {className: `param-message param-${kind}`, role});
+    if (kind === 'rejected') message.append(make('b', {}, 'Rejected:'), ' ');
+    message.append(words);
+    this.said.append(message);
   }
 }
 
 /** A node's parameters as controls. */
-export class ParameterPanel {
+class ParameterPanel {
   isLocked = false;
+  sent = 0;
+  passedOn = 0;
   /** @type {Map<string, PanelRow>} */
   rows = new Map();
 
   /**
    * @param {HTMLElement} root
-   * @param {(wish: Wish) => void} send
+   * @param {(wish: Record<string, unknown>) => void} send
    */
   constructor(root, send) {
     this.root = root;
@@ -348,36 +200,22 @@ export class ParameterPanel {
       this.rows.set(row.name, row);
     }
     this.status = one(root, '.param-status');
+    this.undo = /** @type {HTMLButtonElement | null} */ (root.querySelector('.param-undo'));
+    this.reset = one(root, '.param-reset', HTMLButtonElement);
+    this.undo?.addEventListener('click', () => send({do: 'undo'}));
+    this.reset.addEventListener('click', () => send({do: 'reset'}));
+    root.addEventListener('keydown', event => this.onKey(event));
     this.search = /** @type {HTMLInputElement | null} */ (root.querySelector('.param-search'));
     this.search?.addEventListener('input', () => this.find());
     this.search?.addEventListener('keydown', event => {
       event.stopPropagation();
       if (event.key === 'Escape') this.find('');
     });
-    this.tools = this.findTools();
   }
 
-  /** Return the buttons by which changes are made together, undone and taken back, and the bar of gathered changes. */
-  findTools() {
-    const {root} = this;
-    const bar = one(root, '.param-bar');
-    /** @param {string} name */
-    const button = name => {
-      const found = one(root, `.param-${name}`, HTMLButtonElement);
-      found.addEventListener('click', () => this.send({do: name === 'gather' && !bar.hidden ? 'discard' : name}));
-      return found;
-    };
-    root.addEventListener('keydown', event => this.onKey(event));
-    return {
-      bar,
-      gathered: one(bar, '.param-gathered'),
-      gather: button('gather'),
-      undo: button('undo'),
-      redo: button('redo'),
-      reset: button('reset'),
-      apply: button('apply'),
-      discard: button('discard'),
-    };
+  nextNumber() {
+    this.sent += 1;
+    return this.sent;
   }
 
   /**
@@ -391,35 +229,25 @@ export class ParameterPanel {
 
   /** @param {KeyboardEvent} event */
   onKey(event) {
-    const isUndo = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === 'z';
+    const isUndo = (event.ctrlKey || event.metaKey) && !event.shiftKey && event.key.toLowerCase() === 'z';
     // In a text that is being typed these keys are the browser's.
-    if (!isUndo || [...this.rows.values()].some(row => row.isTyping || row.elements?.isTyping)) return;
+    if (!isUndo || [...this.rows.values()].some(row => row.isTyping)) return;
     event.preventDefault();
-    this.send({do: event.shiftKey ? 'redo' : 'undo'});
+    this.send({do: 'undo'});
   }
 
-  /** @param {PanelState} state */
-  show(state) {
-    const {status} = state;
+  /**
+   * @param {PanelState} state
+   * @param {string} client Names this script in the state.
+   */
+  show({status, undo, rows, passed_on: passedOn}, client) {
     this.isLocked = Boolean(status);
+    this.passedOn = passedOn[client] ?? 0;
     this.status.textContent = status || (this.status.dataset.count ?? '');
-    this.status.classList.toggle('param-status-bad', Boolean(status));
-    for (const [name, row] of this.rows) if (state.rows[name]) row.show(state.rows[name]);
-    this.showTools(state);
-  }
-
-  /** @param {PanelState} state */
-  showTools({gathered, note = '', undo, redo}) {
-    const {tools} = this;
-    const isGathering = gathered !== undefined;
-    tools.gather.disabled = this.isLocked;
-    tools.gather.ariaPressed = String(isGathering);
-    tools.bar.hidden = !isGathering;
-    tools.apply.disabled = this.isLocked || !gathered;
-    tools.gathered.textContent = note;
-    tools.undo.disabled = this.isLocked || !undo;
-    tools.redo.disabled = this.isLocked || !redo;
-    tools.reset.disabled = this.isLocked || ![...this.rows.values()].some(row => 'first' in row.state);
+    this.status.classList.toggle('param-status-bad', this.isLocked);
+    for (const [name, row] of this.rows) if (rows[name]) row.show(rows[name]);
+    if (this.undo) this.undo.disabled = this.isLocked || !undo;
+    this.reset.disabled = this.isLocked || ![...this.rows.values()].some(row => 'first' in row.state);
   }
 
   /**
@@ -444,23 +272,17 @@ export class ParameterPanel {
   }
 
   /**
-   * Take over from a panel in whose place this one stands: what was folded, searched and being typed.
+   * Take over from a panel in whose place this one stands: what was entered, searched and being typed.
    * @param {ParameterPanel} old
    */
   takeOver(old) {
-    /** @type {(panel: ParameterPanel) => [string | null, HTMLDetailsElement][]} */
-    const groups = panel =>
-      all(panel.root, '.param-group', HTMLDetailsElement).map(each => [one(each, 'summary').textContent, each]);
-    const before = new Map(groups(old));
-    for (const [title, group] of groups(this)) group.open = before.get(title)?.open ?? group.open;
+    this.sent = old.sent;
     if (old.search && this.search) this.search.value = old.search.value;
     for (const [name, row] of old.rows) {
       const heir = this.rows.get(name);
       if (!heir) continue;
       heir.state = row.state;
-      if (row.elements?.element.hidden === false) heir.elements?.open(true);
       heir.entered = row.entered;
-      heir.answered = row.answered;
       heir.grip = row.grip;
       if (row.isTyping && heir.box.tagName === row.box.tagName) {
         heir.isTyping = true;
@@ -468,4 +290,52 @@ export class ParameterPanel {
       }
     }
   }
+
+  /**
+   * Give the focus to what stands in the place of an element that had it.
+   * @param {HTMLElement} focused
+   */
+  focusHeir(focused) {
+    if (!focused.className) return;
+    const name = /** @type {HTMLElement | null} */ (focused.closest('.param-row'))?.dataset.name;
+    const row = this.rows.get(name ?? '');
+    const heir = (row?.element ?? this.root).querySelector(`.${focused.className}`);
+    if (heir instanceof HTMLElement) heir.focus();
+    if (!row?.isTyping || heir !== row.box) return;
+    const {selectionStart, selectionEnd} = /** @type {HTMLInputElement} */ (focused);
+    /** @type {HTMLInputElement} */ (heir).setSelectionRange(selectionStart, selectionEnd);
+  }
 }
+
+/** @param {RenderProps<{markup: string, state: PanelState, search: string}>} props */
+function render({model, el}) {
+  const client = uniqueName();
+  const root = make('div');
+  el.append(root);
+  /** @type {ParameterPanel | undefined} */
+  let panel;
+  let search = model.get('search');
+
+  function build() {
+    // A panel that does not wait for its node is there before there is anything to show.
+    if (!model.get('markup')) return;
+    const focused = /** @type {HTMLElement | null} */ (focusedBeside(root));
+    // A notebook may show a panel twice.
+    const shown = make('div', {innerHTML: model.get('markup').replaceAll('panel-NAME', `panel-${client}`)});
+    const old = panel;
+    panel = new ParameterPanel(shown, wish => model.send({client, ...wish}));
+    if (old) panel.takeOver(old);
+    // At first there may be too few parameters for a search.
+    if (panel.search && search) [panel.search.value, search] = [search, ''];
+    root.replaceChildren(shown);
+    panel.show(model.get('state'), client);
+    panel.find();
+    if (focused && old?.root.contains(focused)) panel.focusHeir(focused);
+  }
+
+  build();
+  model.on('change:markup', build);
+  model.on('change:state', () => panel?.show(model.get('state'), client));
+}
+
+export default {initialize, render};

@@ -1,7 +1,4 @@
-"""What the live views have in common: they follow something until they are closed, and are closed with their cell.
-
-What each of them shows is in ``panel``, ``robot``, ``step_response``, ``events`` and ``log``.
-"""
+"""What the live views have in common: they follow something until they are closed, and are closed with their cell."""
 
 import html
 import threading
@@ -12,9 +9,8 @@ import ipywidgets as widgets
 
 from param_tools.errors import ExecutorError
 from param_tools.node.live import FIRST_LOOK_TIMEOUT_SEC, LiveParameters
-from param_tools.panel.beside_cells import answer_beside_cells
 from param_tools.panel.close_with_cell import close_looks, close_with_cell
-from param_tools.panel.front import Front
+from param_tools.panel.front import Front, answer_beside_cells
 from param_tools.ros import stage
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.listeners import Listeners
@@ -22,8 +18,8 @@ from param_tools.ros.schedule import Job
 from param_tools.ros.services import full_name
 
 
-def nothing() -> None:
-    """End a subscription that there is not."""
+def no_op() -> None:
+    """Do nothing. Stands in for an unsubscribe function before anything is subscribed."""
 
 
 class View(widgets.VBox):
@@ -135,8 +131,8 @@ class FollowingView(View):
     def _begin(self) -> None:
         """Listen, show what there is to show, and close with the cell."""
         self._executor: BackgroundExecutor | None = None
-        self._stop_listening: Callable[[], object] = nothing
-        self._job = Job(self._step, self._show_period_sec)
+        self._stop_listening: Callable[[], object] = no_op
+        self._job = Job(self._step, self._show_period_sec, self._drawing)
         self._stop_following = stage.on_change(self._on_executor_change)
         self._listen()
         self._job.call_now(1.0)
@@ -160,8 +156,7 @@ class FollowingView(View):
         raise NotImplementedError
 
     def _step(self) -> float | None:
-        with self._drawing:
-            return None if self._closed else self._show()
+        return None if self._closed else self._show()
 
     def _stop(self) -> None:
         """Stop following; what is shown stays."""
@@ -178,7 +173,7 @@ class FollowingView(View):
 
     def _listen(self) -> None:
         self._stop_listening()
-        self._stop_listening = nothing
+        self._stop_listening = no_op
         try:
             self._executor = stage.current()
         except ExecutorError:

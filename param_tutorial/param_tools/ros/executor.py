@@ -159,7 +159,6 @@ class BackgroundExecutor:
         self._first_values: dict[str, dict[str, ParameterValue]] = {}
         self._event_listeners: Listeners[[ParameterEvent]] = Listeners()
         self._graph_listeners: Listeners[[]] = Listeners()
-        self._tick_listeners: Listeners[[]] = Listeners()
         self._incarnations: Incarnations = frozenset()
         self._names: list[tuple[str, str]] = []
         self._stopping = False
@@ -375,7 +374,6 @@ class BackgroundExecutor:
                 self._next_tick = time.monotonic() + TICK_PERIOD_SEC
                 self._check_graph()
                 self.services.expire()
-                self._tick_listeners.call()
         except ExternalShutdownException:
             pass
         except BaseException as error:
@@ -515,13 +513,6 @@ class BackgroundExecutor:
         :return: Call it to stop listening.
         """
         return self._graph_listeners.add(listener)
-
-    def on_tick(self, listener: Callable[[], None]) -> Callable[[], None]:
-        """Call a listener, in the executor's thread, about every TICK_PERIOD_SEC.
-
-        :return: Call it to stop listening.
-        """
-        return self._tick_listeners.add(listener)
 
     def node_incarnations(self, node: str) -> frozenset[bytes]:
         """Return an identity of each node of this name; a restarted node has another one.

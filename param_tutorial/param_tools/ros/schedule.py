@@ -26,15 +26,16 @@ class Job:
     The function must not wait: the loop is shared. What keeps a busy node from flooding a browser is the period.
     """
 
-    def __init__(self, step: Callable[[], float | None], period_sec: float):
+    def __init__(self, step: Callable[[], float | None], period_sec: float, lock: 'threading.RLock | None' = None):
         """
         :param step: Does all that there is to do. Returns in how many seconds at the latest it should be called again;
             None if only ``wake`` calls it again.
+        :param lock: Is held while the function runs; by default a lock of the job's own.
         """
         self._step, self._period_sec = step, period_sec
         self.rests_until = 0.0
         self._ended = False
-        self._one_at_a_time = threading.RLock()
+        self._one_at_a_time = lock or threading.RLock()
 
     @property
     def is_idle(self) -> bool:

@@ -16,9 +16,8 @@ import traitlets
 from param_tools.markup.scripts import bundle
 from param_tools.markup.styles import sheet, style
 from param_tools.markup.tables import with_code
-from param_tools.panel.beside_cells import answer_beside_cells
 from param_tools.panel.close_with_cell import close_looks, close_with_cell
-from param_tools.panel.front import Front
+from param_tools.panel.front import Front, answer_beside_cells
 from param_tutorial.exercises.prediction import MIME_TYPE, Choice, Prediction, wrong
 from param_tutorial.notebook import veil
 

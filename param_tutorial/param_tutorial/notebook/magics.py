@@ -21,7 +21,7 @@ from IPython.core.magic import Magics, cell_magic, line_magic, magics_class, no_
 from param_tools.cli import command as embedded
 from param_tools.cli.session import Session, TextStream
 from param_tools.errors import ExecutorError
-from param_tools.panel.pending_clicks import from_pages
+from param_tools.panel.front import from_pages
 from param_tools.ros import domain, host, stage
 from param_tutorial.notebook import stored
 from param_tutorial.notebook.shell import Shell

@@ -13,8 +13,7 @@ import traitlets
 
 from param_tools.markup.scripts import bundle
 from param_tools.markup.styles import sheet
-from param_tools.panel.beside_cells import answer_beside_cells
-from param_tools.panel.front import Front
+from param_tools.panel.front import Front, answer_beside_cells
 from param_tutorial.learner.progress import own_progress
 
 VARIABLE = 'PARAM_TUTORIAL_VEIL'

@@ -10,7 +10,7 @@ from param_tools import values
 from param_tools.descriptor import Descriptor
 from param_tools.errors import ExecutorError
 from param_tools.node.client import ParameterClient, descriptor_of, node_name
-from param_tools.panel.view import FollowingView, nothing
+from param_tools.panel.view import FollowingView, no_op
 from param_tools.ros.executor import BackgroundExecutor
 from param_tutorial.views.base import AnimatedView, name_of
 from param_tutorial.views.drawing.diagram import head
@@ -39,7 +39,7 @@ class NumberLineView(AnimatedView, FollowingView):
         # What is shown, and whether it is to stay.
         self._sentence, self._is_held = '', value is not ...
         self._followed: Node | None = None
-        self._stop_sets: Callable[[], None] = nothing
+        self._stop_sets: Callable[[], None] = no_op
         self._latest: RecordedSet | None = None
         self._shown: tuple[Descriptor, float, RecordedSet | None] | None = None
         super().__init__(*([] if self._is_held else [Asking(self._ask, name=name)]))
@@ -71,7 +71,7 @@ class NumberLineView(AnimatedView, FollowingView):
         return stop_listening
 
     def _lose(self) -> None:
-        self._followed, self._stop_sets = None, nothing
+        self._followed, self._stop_sets = None, no_op
 
     def _on_graph_change(self) -> None:
         self._follow()
@@ -85,7 +85,7 @@ class NumberLineView(AnimatedView, FollowingView):
         node = next((each for each in executor.nodes if name_of(each) == self._subject), None)
         if node is not self._followed:
             self._stop_sets()
-            self._followed, self._stop_sets = node, nothing
+            self._followed, self._stop_sets = node, no_op
             if node is not None:
                 self._stop_sets = follow_sets(node, self._on_set)
 

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 from param_tools.errors import NodeNotFoundError
-from param_tools.panel.view import FollowingView, nothing
+from param_tools.panel.view import FollowingView, no_op
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.services import full_name
 from param_tutorial.nodes.clawbot_node import ROBOT_LENGTH_M, SENSOR_MOUNT_M, ClawbotNode, Motion
@@ -22,7 +22,7 @@ class RobotView(DrivingView, FollowingView):
         """:param robot: The node, or its name; it has to be spun in this process, now or later."""
         self._name = full_name(robot)
         self._robot: ClawbotNode | None = None
-        self._stop_motion: Callable[[], None] = nothing
+        self._stop_motion: Callable[[], None] = no_op
         super().__init__()
         self._begin()
 
@@ -61,7 +61,7 @@ class RobotView(DrivingView, FollowingView):
         if robot is not self._robot:
             self._stop_motion()
             self._robot = robot
-            self._stop_motion = robot.on_motion(self._job.wake) if robot else nothing
+            self._stop_motion = robot.on_motion(self._job.wake) if robot else no_op
         return robot
 
     # -- drawing: the worker's thread -------------------------------------------------------------------
