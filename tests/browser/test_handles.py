@@ -19,7 +19,7 @@ from rclpy.qos import DurabilityPolicy, QoSProfile
 
 import param_tutorial
 from param_tutorial import ParameterClient
-from param_tutorial.views import LadderView, LayersView, MessageView, NumberLineView, RequestsView
+from param_tutorial.views import LadderView, LayersView, MessageView, NumberLineView
 
 
 class Robot(Node):
@@ -54,9 +54,8 @@ LayersView('speed', [('default', 100), ('speed:=400', '/**', 400), ('robot:speed
     "NumberLineView('/robot', 'opening')",
     "MessageView('/robot', 'speed', 5)",
     "LadderView('/robot', 'speed', 7)",
-    "RequestsView('nothing yet')",
 )
-LAYERS, LINE, MESSAGES, LADDER, REQUESTS = range(len(CELLS))
+LAYERS, LINE, MESSAGES, LADDER = range(len(CELLS))
 
 
 @pytest.fixture(scope='module')
@@ -101,20 +100,6 @@ def test_sources_are_dragged_into_another_order_or_moved_by_the_keyboard(opened)
     expect(page.page.get_by_role('button', name='Move speed:=400 later')).to_be_focused()
 
 
-def test_an_answer_takes_nothing_back_from_a_reader_who_has_gone_on(opened):
-    _, page = opened
-    items = view(page, LAYERS).locator('li')
-    before = items.all_text_contents()
-    items.first.locator('button').last.focus()
-    # At each end the keyboard is on the other arrow, so the same order comes again.
-    for _ in range(4):
-        page.page.keyboard.press('Enter')
-    page.page.evaluate('''window.jupyterapp.shell.currentWidget.sessionContext.session.kernel
-        .requestExecute({code: '0'}).done.then(() => null)''')
-    expect(items).to_have_text(before)
-    expect(items.first.locator('button').last).to_be_focused()
-
-
 def test_the_marker_of_a_number_line_is_dragged_also_to_where_no_value_is_allowed(opened):
     lab, page = opened
     drawing = view(page, LINE).locator('svg').first
@@ -152,12 +137,6 @@ def test_as_long_as_there_is_no_answer_the_line_says_so(opened):
         (lab.folder / 'busy').unlink()
     expect(line).not_to_have_class(re.compile('motion-waiting'))
     expect(told(page, LADDER)).to_have_text('speed = 8 is accepted.')
-
-
-def test_there_is_no_line_as_long_as_there_is_nothing_to_put_in_order(opened):
-    _, page = opened
-    expect(view(page, REQUESTS).locator('.motion-head')).to_be_visible()
-    expect(view(page, REQUESTS).locator('.motion-handle')).to_be_hidden()
 
 
 def test_nothing_that_axe_finds_in_the_pictures(opened):
