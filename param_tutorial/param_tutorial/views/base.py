@@ -40,9 +40,8 @@ class PictureView(AnimatedView):
     """A picture of what was measured before. It follows nothing, and plays anew when something is added to it."""
 
     def __init__(self, picture: Diagram, *below: widgets.Widget) -> None:
-        self._picture = picture
         super().__init__(*below)
-        self._draw()
+        self._replace(picture)
         close_with_cell(self)
 
     def __repr__(self) -> str:
@@ -56,13 +55,10 @@ class PictureView(AnimatedView):
     def _replace(self, picture: Diagram) -> str:
         """Play another picture from now on, and return it in words."""
         self._picture = picture
-        self._draw()
-        return picture.text
-
-    def _draw(self) -> None:
         with self._drawing:
             if not self._closed:
-                self._play(self._picture)
+                self._play(picture)
+        return picture.text
 
     def _end(self) -> None:
         pass

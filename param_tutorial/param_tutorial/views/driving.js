@@ -1,8 +1,7 @@
-/* A vehicle on its track, with the button that lets it drive.
-
-   The kernel says what the vehicle does (`driving_widget.js`). The markup is Python's: `drawing/driving.py`. */
+/* A vehicle on its track, with the button that lets it drive: the kernel says what it does. The markup is Python's. */
 
 import {one, uniqueName} from '../../param_tools/panel/dom.js';
+import {initialize} from '../../param_tools/panel/front.js';
 
 /**
  * From which second of the motion on, the state as one word, the picture in words, what to say, and how the vehicle leans.
@@ -13,7 +12,7 @@ import {one, uniqueName} from '../../param_tools/panel/dom.js';
 const FRAMES_PER_SEC = 30;
 
 /** The place where a vehicle is shown. */
-export class DrivingPicture {
+class DrivingPicture {
   // Keyframes belong to the whole page.
   name = `robot-${uniqueName()}`;
   count = 0;
@@ -108,3 +107,28 @@ export class DrivingPicture {
     if (this.said.textContent !== words) this.said.textContent = words;
   }
 }
+
+/** @param {import('@anywidget/types').RenderProps<{markup: string, picture: string, scene: Scene | [], take: number}>} props */
+function render({model, el}) {
+  el.innerHTML = model.get('markup');
+  const shown = new DrivingPicture(el, () => model.send({do: 'drive'}));
+  let take = 0;
+
+  function show() {
+    const scene = model.get('scene');
+    if (model.get('take') !== take) {
+      take = model.get('take');
+      shown.draw(model.get('picture'));
+    }
+    if (scene.length) shown.tell(scene);
+    else shown.say('');
+    shown.button.disabled = !scene.length;
+  }
+
+  show();
+  // All that belongs together comes at once, and is told of one after the other.
+  model.on('change:take', show);
+  model.on('change:scene', show);
+}
+
+export default {initialize, render};

@@ -22,7 +22,7 @@ from param_tutorial.views.drawing import driving
 class _Front(Front):
     """The vehicle in the browser."""
 
-    _esm = bundle('param_tutorial/views/driving_widget.js')
+    _esm = bundle('param_tutorial/views/driving.js')
     _css = sheet('param_tutorial/views/drawing/track.css') + sheet('param_tutorial/views/driving.css')
     markup = traitlets.Unicode(driving.VIEW).tag(sync=True)
     picture = traitlets.Unicode().tag(sync=True)

@@ -5,7 +5,7 @@ quadratic function of time, which a CSS ``cubic-bezier(1/3, p/3, 2/3, (1 + p)/3)
 one step of a CSS animation, and the browser moves the vehicle by itself.
 
 What the vehicles look like and what they say is in ``robot`` and ``cart``. What a picture tells in words changes with
-each phase: those are its scenes, and ``views/driving.js`` tells them, in JupyterLab as on a page of the website.
+each phase: those are its scenes, and ``views/driving.js`` tells them.
 """
 
 import html
