@@ -19,6 +19,7 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 # This may be the Python of the environment that is to be made afresh, so the one behind it does that.
 BASE = os.path.realpath(sys.executable)
+SIGN_OF_LIFE_SEC = 2.0
 AFRESH = [BASE, '-I', '-m', 'venv', '--clear']
 
 
@@ -33,9 +34,16 @@ def check_system() -> None:
 
 
 def run(*words: str | Path) -> None:
-    """Run a command, which says itself what goes wrong."""
-    if subprocess.run(words, cwd=ROOT, check=False).returncode:
-        sys.exit('The set-up failed, for the reason above. It needs the network; run the same command again once that '
+    """Run a command, which says itself what goes wrong; each dot is a sign of life while it downloads."""
+    with subprocess.Popen(words, cwd=ROOT) as process:
+        while True:
+            try:
+                process.wait(SIGN_OF_LIFE_SEC)
+                break
+            except subprocess.TimeoutExpired:
+                print('.', end='', flush=True)
+    if process.returncode:
+        sys.exit('\nThe set-up failed, for the reason above. It needs the network; run the same command again once that '
                  'is put right.')
 
 
@@ -61,7 +69,7 @@ def set_up(folder: Path, locks: list[Path]) -> None:
     if wanted <= made_from:
         return
     check_system()
-    print(f'Setting up {folder.relative_to(ROOT)}; the first time there are up to 200 MB to download.', flush=True)
+    print(f'Setting up {folder.relative_to(ROOT)}; the first time there are up to 200 MB to download.', end='', flush=True)
     uv = [fetch_uv(), 'pip', 'install', '--quiet', '--no-deps', '--python', folder / 'bin' / 'python']
     folder.mkdir(parents=True, exist_ok=True)
     stamp.write_text('')
@@ -75,6 +83,7 @@ def set_up(folder: Path, locks: list[Path]) -> None:
         *(word for lock in locks for word in ('--requirement', lock)))
     run(*uv, '--no-build-isolation', '--editable', '.')
     stamp.write_text('\n'.join(wanted))
+    print()
 
 
 if __name__ == '__main__':

@@ -1,5 +1,4 @@
-"""What colcon installs: the two import packages, the nodes as programs for `ros2 run`, the files they load, and the
-commands of the tools as extensions of `ros2`.
+"""What colcon installs: the two import packages, the nodes as programs for `ros2 run`, and the files they load.
 
 pip reads pyproject.toml one folder up instead.
 """
@@ -11,7 +10,6 @@ from pathlib import Path
 from setuptools import find_packages, setup
 
 PACKAGE = 'param_tutorial'
-IMPORT_PACKAGES = (PACKAGE, 'param_tools')
 # Where both pyproject.toml find it, too.
 VERSION = re.search("^__version__ = '(.+)'$", Path('param_tools/__init__.py').read_text(), re.MULTILINE)[1]
 NODES = ('simple_param_node', 'param_setter_node', 'param_event_monitor', 'param_query_node', 'clawbot_node',
@@ -20,10 +18,8 @@ NODES = ('simple_param_node', 'param_setter_node', 'param_event_monitor', 'param
 setup(
     name=PACKAGE,
     version=VERSION,
-    packages=find_packages(include=[f'{each}{rest}' for each in IMPORT_PACKAGES for rest in ('', '.*')]),
-    package_data={each: ['**/*.css', '**/*.js', 'ros/*.xml', 'cli/new_package.txt',
-                         'views/drawing/ros1_recording.txt']
-                  for each in IMPORT_PACKAGES},
+    packages=find_packages(include=['param_t*']),
+    package_data={'': ['**/*.css', '**/*.js', '**/*.xml', '**/*.txt', 'py.typed']},
     data_files=[
         ('share/ament_index/resource_index/packages', [f'resource/{PACKAGE}']),
         (f'share/{PACKAGE}', ['package.xml']),

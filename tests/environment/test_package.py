@@ -24,13 +24,12 @@ LOCKS = {path.name: path.read_text() for path in (ROOT / 'environment').glob('*.
 LOCK, LEARNER_LOCK = LOCKS['requirements-dev.lock'], LOCKS['requirements.lock']
 PYPROJECT = read_toml(ROOT / 'pyproject.toml')
 PROJECT = PYPROJECT['project']
-EXTRAS = {extra: [each for each in requirements if not each.startswith('param-tutorial[')]
-          for extra, requirements in PROJECT['optional-dependencies'].items()}
-COURSE = [*PROJECT['dependencies'], *(each for extra in EXTRAS if extra != 'html' for each in EXTRAS[extra])]
+EXTRAS = PROJECT['optional-dependencies']
+COURSE = [*PROJECT['dependencies'], *EXTRAS['course']]
 # What each lock is made from.
 REQUIREMENTS = {
     'requirements.lock': COURSE,
-    'requirements-dev.lock': [*COURSE, *EXTRAS['html'], *PYPROJECT['dependency-groups']['test']],
+    'requirements-dev.lock': [*COURSE, *EXTRAS['html'][1:], *PYPROJECT['dependency-groups']['test']],
     'requirements-hub.lock': PYPROJECT['dependency-groups']['hub'],
     'requirements-uv.lock': PYPROJECT['dependency-groups']['uv'],
 }
@@ -81,12 +80,10 @@ def test_each_package_below_the_ros_package_is_installed(setup_py):
     assert set(setup_py['packages']) == on_disk
 
 
-def test_style_sheets_and_scripts_are_installed_by_pip_and_by_colcon(setup_py):
-    files = {path for package in (PACKAGE, TOOLS) for ending in ('css', 'js') for path in package.rglob(f'*.{ending}')}
-    assert len(files) >= 20
-    for data in (PYPROJECT['tool']['setuptools']['package-data'], setup_py['package_data']):
-        assert files <= {path for package in (PACKAGE, TOOLS) for pattern in data[package.name]
-                          for path in package.glob(pattern)}
+def test_the_course_takes_the_tools_with_all_that_they_need():
+    tools = read_toml(TOOLS / 'pyproject.toml')['project']
+    needed = {each for extra in [tools['dependencies'], *tools['optional-dependencies'].values()] for each in extra}
+    assert {each for each in needed if not each.startswith('param-tools[')} <= set(COURSE)
 
 
 def test_what_github_calls_is_here():
