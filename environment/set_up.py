@@ -43,8 +43,8 @@ def run(*words: str | Path) -> None:
             except subprocess.TimeoutExpired:
                 print('.', end='', flush=True)
     if process.returncode:
-        sys.exit('\nThe set-up failed, for the reason above. It needs the network; run the same command again once that '
-                 'is put right.')
+        sys.exit('\nThe set-up failed, for the reason above. It needs the network; run the same command again once '
+                 'that is put right.')
 
 
 def fetch_uv() -> Path:
@@ -69,7 +69,8 @@ def set_up(folder: Path, locks: list[Path]) -> None:
     if wanted <= made_from:
         return
     check_system()
-    print(f'Setting up {folder.relative_to(ROOT)}; the first time there are up to 200 MB to download.', end='', flush=True)
+    print(f'Setting up {folder.relative_to(ROOT)}; the first time there are up to 200 MB to download.', end='',
+          flush=True)
     uv = [fetch_uv(), 'pip', 'install', '--quiet', '--no-deps', '--python', folder / 'bin' / 'python']
     folder.mkdir(parents=True, exist_ok=True)
     stamp.write_text('')
