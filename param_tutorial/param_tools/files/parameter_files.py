@@ -89,18 +89,14 @@ def read_bytes(path: str | Path) -> bytes:
         raise ParameterFileError(f'cannot read {path}: {error.strerror or error}') from None
 
 
-def as_path(path: str | Path, *, is_typed: bool = False) -> Path:
+def as_path(path: str | Path) -> Path:
     """Return a path that a file could have.
 
-    :param is_typed: A person has typed it, where no shell replaces a ``~``.
     :raises ParameterFileError: there is no such path.
     """
     if '\0' in str(path):
         raise ParameterFileError(f'{str(path)!r} is not a path: it has a null character')
-    try:
-        return Path(path).expanduser() if is_typed else Path(path)
-    except RuntimeError:
-        raise ParameterFileError(f'{path} begins with a user that this machine does not have') from None
+    return Path(path)
 
 
 def values_of(path: str | Path, entries: Mapping[str, Entry]) -> dict[str, Any]:

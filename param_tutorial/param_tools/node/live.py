@@ -22,7 +22,7 @@ from rclpy.task import Future
 
 from param_tools import values
 from param_tools.errors import ExecutorError, NodeNotFoundError, WaitTimeoutError, describe_error
-from param_tools.node.client import ParameterClient, Questions, to_message
+from param_tools.node.client import Questions, to_message
 from param_tools.node.live_state import LATE_SEC, Change, LiveState, ParameterState, Reading, Request, Todo
 from param_tools.ros import stage, waiting
 from param_tools.ros.executor import BackgroundExecutor
@@ -73,16 +73,9 @@ class LiveParameters:
 
     @property
     def is_busy(self) -> bool:
-        """True while something that was asked for is unanswered, or what came of it is not yet read."""
+        """True while something that was asked for is unanswered, or what the node has stored is not yet read."""
         with self._lock:
             return self._state.has_unread_answers
-
-    def client(self) -> ParameterClient:
-        """Return a client of the node, which waits for each answer.
-
-        :raises ExecutorError: the executor is stopped, or none is running.
-        """
-        return ParameterClient(self.node, executor=self._require_executor(), timeout_sec=self._timeout_sec)
 
     def first_look(self, timeout_sec: float = FIRST_LOOK_TIMEOUT_SEC) -> None:
         """Begin to follow: read everything from the node and show it. Waits for a node that is just starting.
@@ -160,7 +153,7 @@ class LiveParameters:
         self._hand_over(self._state.ask, parameter, value, time.monotonic())
 
     def reject(self, parameter: ParameterState, reason: str) -> None:
-        """Reject what a hand entered, without asking the node."""
+        """Reject what the user entered, without asking the node."""
         self._hand_over(self._state.reject, parameter, reason)
 
     def _send(self, request: Request) -> None:
@@ -231,7 +224,7 @@ class LiveParameters:
 
     async def _read(self, executor: BackgroundExecutor) -> None:
         """Ask the node for whatever the state machine wants, until it wants nothing more."""
-        async def ask(service: str, request: Any) -> Any:
+        async def call(service: str, request: Any) -> Any:
             return await executor.services.call_async(self.node, service, request, timeout_sec=self._timeout_sec)
 
         while True:
@@ -242,7 +235,7 @@ class LiveParameters:
                         self._reading_in = None
                     break
             try:
-                outcome = await self._outcome(reading, ask)
+                outcome = await self._outcome(reading, call)
             except Exception as error:  # nobody is there to raise to, and the learner should see it
                 outcome = functools.partial(self._state.reading_failed, error, time.monotonic())
             if executor is self._executor:
@@ -254,11 +247,11 @@ class LiveParameters:
         if again_sec is not None:
             self._read_job.wake(again_sec)
 
-    async def _outcome(self, reading: Reading, ask: Callable[[str, Any], Awaitable[Any]]) -> Callable[[], Todo]:
+    async def _outcome(self, reading: Reading, call: Callable[[str, Any], Awaitable[Any]]) -> Callable[[], Todo]:
         """Ask the node what a reading is about, and return the answer as an event."""
-        questions = Questions(self.node, ask)
+        questions = Questions(self.node, call)
         if reading.describe:
-            await ask('set_parameters', SetParameters.Request())  # so that the first set can be sent at once
+            await call('set_parameters', SetParameters.Request())  # so that the first set can be sent at once
             descriptors, present = await questions.describe_and_get(self.names)
             return functools.partial(self._state.described, list(descriptors), descriptors, present)
         return functools.partial(self._state.have_read, await questions.get_parameters(reading.names))
@@ -281,18 +274,18 @@ class LiveParameters:
         return self._reading_in is not None and self._reading_in is self._executor and self._reading_in.is_running
 
     def _wait_for_answers(self, end: float, timeout_sec: float) -> None:
-        """Wait until nothing is asked any more: neither for a value by a hand nor for what came of that."""
+        """Wait until no value is asked for any more, and what the node has stored is read."""
         self._wait(lambda: not (self._state.busy_names or self._is_reading), end)
         if busy := self._state.busy_names:
             raise WaitTimeoutError(f'timed out after {timeout_sec:g} s waiting for {self.node} '
                                    f'to answer {", ".join(busy)}')
 
     def _wait(self, condition: Callable[[], object], end: float) -> None:
-        def look() -> object:
+        def is_over() -> object:
             self._hand_over(self._state.give_up_late, time.monotonic())
             return self._state.closed or condition()
 
-        waiting.wait_before(end, look)
+        waiting.wait_before(end, is_over)
 
     def _require_other_thread(self) -> None:
         if self._executor is not None and self._executor.in_thread():
@@ -304,16 +297,10 @@ class LiveParameters:
     def _reason(self, error: Exception) -> Exception:
         """Return why nothing could be sent. Asked only now: it would take as long as all else before each request."""
         try:
-            self._require_executor()
-        except ExecutorError as stopped:
-            return stopped
-        return error
-
-    def _require_executor(self) -> BackgroundExecutor:
-        executor = self._executor or stage.current()
-        if not executor.is_running:
-            raise ExecutorError('the executor is stopped: call start() first')
-        return executor
+            executor = self._executor or stage.current()
+        except ExecutorError as none_is_running:
+            return none_is_running
+        return error if executor.is_running else ExecutorError('the executor is stopped: call start() first')
 
     def _is_ready(self) -> bool:
         """True if the node's services are there now."""

@@ -10,7 +10,7 @@ The rules that the machine keeps, whatever happens in whatever order:
   changed; what it changed to is asked. Events and answers travel separately and may overtake each other, so a value
   that an event carries may be older than the one on screen.
 - For each parameter at most one request is under way. A value that is wanted meanwhile waits, the newest replacing
-  older ones, and is sent when the answer arrives. So a fast hand cannot flood the node, and the last value always
+  older ones, and is sent when the answer arrives. So a fast slider cannot flood the node, and the last value always
   arrives.
 - While a parameter is *busy* (requested and not yet answered), no reading of it is believed. It is read again when
   the request has ended.
@@ -161,7 +161,7 @@ class LiveState:
 
     @property
     def has_unread_answers(self) -> bool:
-        """True while a request is under way, or what came of one has not been read."""
+        """True while a request is under way, or what the node has stored has not been read."""
         return bool(self.busy_names or self._must_read or self._reading)
 
     @property
@@ -182,10 +182,10 @@ class LiveState:
             return max(0.0, self._retry_at - now)
         return UNSEEN_PERIOD_SEC if self.is_unseen else None
 
-    # -- events: what a hand does -----------------------------------------------------------------------
+    # -- events: what the user does ---------------------------------------------------------------------
 
     def ask(self, parameter: ParameterState, value: Any, now: float) -> Todo:
-        """A hand wants a value."""
+        """The user asks for a value."""
         request = Request(parameter, value)
         if parameter.busy:
             parameter.waiting = request
@@ -193,7 +193,7 @@ class LiveState:
         return self._begin(request, now)
 
     def reject(self, parameter: ParameterState, reason: str) -> Todo:
-        """A hand entered something that is no value, so the node is not asked."""
+        """The user entered something that is no value, so the node is not asked."""
         parameter.waiting = None
         if not parameter.busy:
             parameter.message, parameter.unanswered = reason, ...

@@ -160,7 +160,7 @@ class ParameterPanel(ParameterView):
         """
         with self._as_one_edit():
             wanted, self._gathered = self._gathered, None
-            results = self._live.client().set_parameters_atomically(wanted) if wanted else []
+            results = ParameterClient(self.node).set_parameters_atomically(wanted) if wanted else []
             self.settle()
             return next((each.reason or 'The node gave no reason.' for each in results if not each.successful), '')
 
