@@ -86,7 +86,6 @@ class NodeError(ParameterToolError):
         self.node = node
 
 
-
 class NodeNotFoundError(NodeError, LookupError):
     """There is no node of that name."""
 

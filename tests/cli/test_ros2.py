@@ -15,11 +15,12 @@ from rclpy.parameter import Parameter
 
 from param_tools.cli import session
 from param_tools.cli.run import node_programs
-from param_tools.ros import domain, executor
+from param_tools.ros import executor
 from param_tutorial import wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook.interrupts import interruptible
 from tests.support.commands import run, source_package
+from tests.support.processes import environment_without_domain
 
 EMBEDDED = [sys.executable, '-m', 'param_tools']
 
@@ -315,7 +316,7 @@ def test_run_finds_a_program_in_a_sub_folder_and_there_must_be_one(workspace):
 
 @pytest.mark.slow
 def test_a_process_without_a_domain_is_where_everybody_is():
-    environment = domain.environment_without_domain()
+    environment = environment_without_domain()
     program = ('import os, sys; sys.argv[1:] = ["-h"]; import param_tools.__main__ as m; m.main(); '
                'print(os.environ["ROS_DOMAIN_ID"])')
     done = subprocess.run([sys.executable, '-c', program], env=environment, capture_output=True, text=True)

@@ -11,6 +11,7 @@ import pytest
 
 from param_tools.errors import ExecutorError
 from param_tools.ros import domain
+from tests.support.processes import environment_without_domain
 
 CHOOSE = 'import os; from param_tools.ros import domain; print(domain.choose(), os.environ.get("{0}"))'
 
@@ -33,7 +34,7 @@ def test_it_stays_the_same_and_stands_in_the_environment():
 @pytest.mark.slow
 def test_living_processes_have_different_domains():
     source = 'from param_tools.ros import domain; print(domain.choose(), flush=True); input()'
-    environment = domain.environment_without_domain()
+    environment = environment_without_domain()
     children = [subprocess.Popen([sys.executable, '-c', source], env=environment, text=True,
                                  stdin=subprocess.PIPE, stdout=subprocess.PIPE) for _ in range(3)]
     try:

@@ -17,8 +17,9 @@ from rclpy.signals import SignalHandlerOptions, get_current_signal_handlers_opti
 
 import param_tutorial
 from param_tools.errors import ExecutorError
-from param_tools.ros import domain, executor, stage
+from param_tools.ros import executor, stage
 from param_tutorial import ParameterClient
+from tests.support.processes import environment_without_domain
 
 
 class Speed(Node):
@@ -31,7 +32,7 @@ class Speed(Node):
 
 def run_python(source, **options):
     """Run a script in its own process and ROS domain: in this domain, killed nodes may linger."""
-    environment = domain.environment_without_domain()
+    environment = environment_without_domain()
     return subprocess.run([sys.executable, '-c', textwrap.dedent(source)], capture_output=True, text=True,
                           check=False, **{'env': environment, **options})
 

@@ -14,8 +14,8 @@ import zmq
 from jupyter_client import manager
 from traitlets import default
 
-from param_tools.ros import domain
 from param_tools.ros.waiting import wait_until
+from tests.support.processes import environment_without_domain
 
 # Less than a test may take.
 DEADLINE_SEC = 170
@@ -44,7 +44,7 @@ class Kernel:
         """
         self.manager = KernelManager(kernel_name='python3')
         # The tests of this process have a ROS domain already.
-        self.manager.start_kernel(env=dict(environment or domain.environment_without_domain()))
+        self.manager.start_kernel(env=dict(environment or environment_without_domain()))
         self.client = self.manager.blocking_client()
         self.client.start_channels()
         self.client.wait_for_ready(DEADLINE_SEC)

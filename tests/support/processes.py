@@ -1,6 +1,7 @@
 """Processes that a test has started: how they stand still, and how they end."""
 
 import contextlib
+import os
 import signal
 import subprocess
 from collections.abc import Iterator
@@ -25,6 +26,11 @@ def standing_still(process: 'subprocess.Popen[Any]') -> Iterator[None]:
         yield
     finally:
         process.send_signal(signal.SIGUSR2)
+
+
+def environment_without_domain() -> dict[str, str]:
+    """Return the environment of this process for one that is to choose a ROS domain of its own."""
+    return {name: value for name, value in os.environ.items() if name != 'ROS_DOMAIN_ID'}
 
 
 def wait_or_kill(process: 'subprocess.Popen[Any]', patience_sec: float = 30.0) -> None:

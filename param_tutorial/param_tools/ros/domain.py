@@ -63,11 +63,6 @@ def settings() -> dict[str, str]:
     return {name: os.environ[name] for name in names if name in os.environ}
 
 
-def environment_without_domain() -> dict[str, str]:
-    """Return the environment of this process for one that is to choose a ROS domain of its own."""
-    return {name: value for name, value in os.environ.items() if name != 'ROS_DOMAIN_ID'}
-
-
 def is_limited_to_this_host() -> bool:
     """True if discovery leaves other machines alone, as the environment of this process has it."""
     if os.environ.get('ROS_LOCALHOST_ONLY') == '1':  # rcl then ignores the others
