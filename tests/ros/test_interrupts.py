@@ -30,8 +30,8 @@ def test_what_is_held_back_comes_after_the_block():
 def test_the_stage_is_whole_after_an_interrupt_of_its_beginning_and_its_end(ros, act):
     if act == 'start':
         param_tutorial.stop()
-    threading.Timer(0.01, signal.pthread_kill, [threading.main_thread().ident, signal.SIGINT]).start()
     with pytest.raises(KeyboardInterrupt):
+        threading.Timer(0.01, signal.pthread_kill, [threading.main_thread().ident, signal.SIGINT]).start()
         while True:
             getattr(param_tutorial, act)()
     again = param_tutorial.start()
