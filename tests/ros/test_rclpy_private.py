@@ -178,7 +178,7 @@ def test_every_set_goes_through_one_method_of_the_node_and_no_declaration_does(r
 
 def test_these_three_are_all_that_a_second_program_needs_of_its_own(other_context, monkeypatch):
     stage = rclpy.utilities.get_default_context()
-    for owner, name, value in rclpy_private.own_places():
+    for owner, name, value in rclpy_private.process_globals():
         monkeypatch.setattr(owner, name, value)
     context = rclpy.utilities.get_default_context()
     assert context is not stage

@@ -74,12 +74,12 @@ class Endpoint:
         domain.add(self)
 
     def match(self, other: Any) -> None:
-        """Note that one has been found on the other end."""
+        """Add an endpoint that has been found on the other end to the matches."""
         self.matched.append(other)
         self.matches.add(1)
 
-    def part(self, other: Any) -> None:
-        """Note that it is gone."""
+    def unmatch(self, other: Any) -> None:
+        """Remove an endpoint that has been destroyed from the matches."""
         self.matched.remove(other)
         self.matches.add(-1)
 
@@ -153,8 +153,8 @@ class Reader(Endpoint):
         super().match(other)
         self.liveliness.add(1)
 
-    def part(self, other: Writer) -> None:
-        super().part(other)
+    def unmatch(self, other: Writer) -> None:
+        super().unmatch(other)
         self.liveliness.add(-1)
 
 
@@ -198,7 +198,7 @@ class Domain:
         with changed:
             self.endpoints.remove(old)
             for other in list(old.matched):
-                other.part(old)
+                other.unmatch(old)
             changed.notify_all()
 
 

@@ -195,7 +195,7 @@ def _formatted(record: Record) -> str:
 # -- /rosout --------------------------------------------------------------------------------------------------
 
 def add_rosout(logger: str, publish: Publish) -> None:
-    """Have what a node's logger logs published."""
+    """Publish the logs of this logger on /rosout."""
     if logger in rosout:
         warn('rcl.logging_rosout', (
             f"Publisher already registered for node name: '{logger}'. If this is due to multiple nodes with the same "
@@ -207,7 +207,7 @@ def add_rosout(logger: str, publish: Publish) -> None:
 
 
 def remove_rosout(logger: str) -> None:
-    """Have what a node's logger and those below it log published no longer."""
+    """Stop publishing the logs of this logger and its children on /rosout."""
     publish = rosout.pop(logger, None)
     for name in [name for name, each in publisher_of_sublogger.items() if each is publish]:
         del publisher_of_sublogger[name], subloggers[name]

@@ -72,7 +72,7 @@ def _flaw_of_tokens(name: str) -> Flaw:
 
 
 class InvalidNameError(Exception):
-    """A name is no name; ``subject`` says which of those that were given."""
+    """An argument is not a valid ROS name; ``subject`` names the argument."""
 
     def __init__(self, subject: str, reason: str):
         super().__init__(reason)
@@ -87,7 +87,7 @@ def fully_qualified(node: str, namespace: str) -> str:
 def expand(topic: str, node: str, namespace: str) -> str:
     """Return what a name of a topic or service stands for in a node.
 
-    :raises InvalidNameError: one of the three is no name.
+    :raises InvalidNameError: one of the three is not valid.
     """
     for subject, flaw in (('topic name', flaw_of_topic_name(topic)), ('node name', flaw_of_node_name(node)),
                           ('node namespace', flaw_of_namespace(namespace))):

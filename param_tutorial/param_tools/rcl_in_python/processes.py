@@ -16,8 +16,8 @@ _OWN: tuple[tuple[Any, str, Callable[[], Any]], ...] = (
     (logs, 'subloggers', Counter), (logs, 'publisher_of_sublogger', dict), (waiting, 'handles', weakref.WeakSet))
 
 
-def own_places() -> list[tuple[Any, str, Any]]:
-    """Return where each process has something of its own: the module, the name in it, and what a new process has."""
+def process_globals() -> list[tuple[Any, str, Any]]:
+    """Return the layer's module-level state as (module, attribute, initial value); ``programs.Program`` swaps it."""
     return [(module, name, make()) for module, name, make in _OWN]
 
 

@@ -197,15 +197,15 @@ class WaitSet(Destroyable):
             raise RCLError('failed to wait on wait set: wait set is empty')
         end = None if timeout_ns < 0 else time.monotonic_ns() + timeout_ns
         with changed:
-            wait_until(self._look, lambda: _earliest([end, *(each.due_ns() for kind in ('timer', 'event')
+            wait_until(self._update_ready, lambda: _earliest([end, *(each.due_ns() for kind in ('timer', 'event')
                                                              for each in self._entities[kind])]))
             # What came last may be a timer's time.
-            self._look()
+            self._update_ready()
             for guard, is_ready in zip(self._entities['guard_condition'], (self._ready or {})['guard_condition']):
                 if is_ready:
                     guard.take()
 
-    def _look(self) -> bool:
+    def _update_ready(self) -> bool:
         """Note what is ready, and return whether anything is."""
         self._ready = {kind: [entity.is_ready() for entity in entities] for kind, entities in self._entities.items()}
         return any(map(any, self._ready.values()))

@@ -101,7 +101,7 @@ class Program:
         return [(sys, 'argv', list(arguments)), (sys, 'stdout', stdout), (sys, 'stderr', stderr),
                 (sys, 'path', [str(Path(arguments[0]).parent), *sys.path]),
                 (signal, 'signal', self._set_handler), (signal, 'getsignal', self._handlers.get),
-                *rclpy_private.own_places(), *layer.own_places()]
+                *rclpy_private.process_globals(), *layer.process_globals()]
 
     def swap(self) -> None:
         """Put the program's surroundings into place, and keep what was there; or the other way round."""

@@ -112,10 +112,10 @@ def _rcl() -> ctypes.CDLL:
 
 # -- processes ----------------------------------------------------------------------------------------------------
 
-def own_places() -> list[tuple[Any, str, Any]]:
-    """Return where rclpy keeps what there is once in a process: the module, the name in it, and what a new one has.
+def process_globals() -> list[tuple[Any, str, Any]]:
+    """Return rclpy's module-level state as (module, attribute, initial value); ``programs.Program`` swaps it.
 
-    They are the default context, the executor of ``rclpy.spin``, and how many contexts use the logging.
+    It is the default context, the executor of ``rclpy.spin``, and how many contexts use the logging.
     """
     return [(utilities, 'g_default_context', None), (rclpy, '__executor', None), (context, 'g_logging_ref_count', 0)]
 

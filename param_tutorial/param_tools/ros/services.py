@@ -108,8 +108,8 @@ class Services:
         self._pending: dict[Future, _PendingCall] = {}
         # The node and service of each client that has had an answer since the graph changed.
         self._answered: set[tuple[str, str]] = set()
-        # Of each node, the calls that wait to be sent, the oldest first.
-        self._lines: dict[str, deque[Future]] = {}
+        # Calls not sent yet, by node, first in first out.
+        self._queues: dict[str, deque[Future]] = {}
         self._lock = threading.RLock()
         # Gives coroutines their turns while they wait for something that doesn't wake the executor.
         self._clock = self._tool_node.create_timer(_TURN_PERIOD_SEC, lambda: None, autostart=False)
@@ -155,11 +155,11 @@ class Services:
         :raises NodeNotFoundError: the name cannot be that of any node.
         """
         with self._lock:
-            if (node, service) in self._answered and not self._lines.get(node) and self.is_ready(node, service):
+            if (node, service) in self._answered and not self._queues.get(node) and self.is_ready(node, service):
                 return self._send(node, service, request, timeout_sec)
             self._client(node, service)
             future = Future()
-            self._lines.setdefault(node, deque()).append(future)
+            self._queues.setdefault(node, deque()).append(future)
         self._executor.create_task(self._carry(node, service, request, timeout_sec, future))
         return future
 
@@ -167,10 +167,10 @@ class Services:
         """Call a service of a node that may be just coming."""
         self._waiting_coroutines += 1
         self._clock.reset()
-        line = self._lines[node]
+        queue = self._queues[node]
         try:
             # Requests are sent in the order of the calls; rclpy's executor runs the newest task first.
-            while line[0] is not future:
+            while queue[0] is not future:
                 await _NextTurn()
             await self._find(node, service, timeout_sec)
             # A server that has just been discovered may know the client's request and not yet where to answer; rmw
@@ -178,16 +178,16 @@ class Services:
             # be, so it is preceded by an empty one, which no callback hears of.
             is_set = service == 'set_parameters' and bool(request.parameters)
             if is_set and (node, service) not in self._answered:
-                await self._ask(node, service, SetParameters.Request(), timeout_sec, repeat=True)
-            answer = await self._ask(node, service, request, timeout_sec, repeat=service in _QUESTIONS and not is_set,
-                                     on_sent=line.popleft)
+                await self._request(node, service, SetParameters.Request(), timeout_sec, repeat=True)
+            answer = await self._request(node, service, request, timeout_sec,
+                                         repeat=service in _QUESTIONS and not is_set, on_sent=queue.popleft)
         except Exception as error:
             _fail(future, error)
         else:
             future.set_result(answer)
         finally:
             with contextlib.suppress(ValueError):  # it was sent
-                line.remove(future)
+                queue.remove(future)
             self._waiting_coroutines -= 1
             if not self._waiting_coroutines:
                 with contextlib.suppress(InvalidHandle):  # the stage ends
@@ -210,8 +210,8 @@ class Services:
                                       f'start_parameter_services=False, or is just leaving')
             await _NextTurn()
 
-    async def _ask(self, node: str, service: str, request: Any, timeout_sec: float, *, repeat: bool,
-                   on_sent: Callable[[], object] = lambda: None) -> Any:
+    async def _request(self, node: str, service: str, request: Any, timeout_sec: float, *, repeat: bool,
+                       on_sent: Callable[[], object] = lambda: None) -> Any:
         """Send a request, again and again if it may be repeated, and wait for the answer."""
         sent = [self._send(node, service, request, timeout_sec)]
         on_sent()

@@ -64,11 +64,11 @@ def wait_until(condition: Callable[[], T], what: str, timeout_sec: float = 5.0) 
     """
     found: list[T] = []
 
-    def look() -> T:
+    def is_true() -> T:
         found[:] = [condition()]
         return found[0]
 
-    if not wait(look, timeout_sec):
+    if not wait(is_true, timeout_sec):
         raise WaitTimeoutError(f'timed out after {timeout_sec:g} s waiting for {what}')
     return found[0]
 
