@@ -1,6 +1,5 @@
 """The robot and the cart: their pictures move as physics says, and their views as the nodes do."""
 
-import itertools
 import math
 import re
 from types import SimpleNamespace
@@ -43,23 +42,6 @@ def test_the_browser_moves_it_along_the_closed_form(acceleration, speed_rpm, vel
         way_m = phase.at(phase.duration_sec).position_m - phase.position_m
         exact = phase.at(fraction * phase.duration_sec).position_m - phase.position_m
         assert bezier(driving._timing_function(phase), fraction) * way_m == pytest.approx(exact, abs=2e-5)
-
-
-@given(st.floats(0.01, 2.0), st.integers(1, 300), st.floats(0.0, 0.9), st.floats(2.0, 20.0))
-def test_its_ray_has_no_gap_up_to_the_wall(acceleration, speed_rpm, velocity, track_m):
-    """At each moment, its own part reaches the point where the rest begins, and no gap opens."""
-    settings = Settings(speed_rpm / 60 * 2 * math.pi * 0.1, acceleration, track_m=track_m)
-    facts = robot_on(plan(0.5, velocity, settings), settings)
-    steps = re.search(r'@keyframes robot-NAME-ray \{(.*?)\}\}', driving.moving(facts))[1] + '}'
-    jumps = [(float(percent) / 100 * facts.motion.duration_sec, float(x))
-             for percent, x in re.findall(r'([\d.]+)% \{transform:translateX\(([\d.]+)px\)', steps)]
-    # Percentages have four digits.
-    blur_sec = 1e-6 * facts.motion.duration_sec + 1e-5
-    for (begin_sec, x), (end_sec, _) in itertools.pairwise(jumps):
-        for moment_sec in (begin_sec, end_sec):
-            eye_m = facts.motion.at(moment_sec).position_m + facts.ray_begin_m
-            blur_units = (blur_sec * 2 * 3.2 + 1e-4) * facts.units_per_m
-            assert facts.x(eye_m) - blur_units <= x <= facts.x(eye_m + facts.reach_m) + blur_units
 
 
 def test_the_bar_before_the_robot_is_the_way_in_which_it_would_stop():

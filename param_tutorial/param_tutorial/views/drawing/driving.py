@@ -107,30 +107,6 @@ class Vehicle(ABC):
         :param cargo_css: Tilts an element as what stands on it leans.
         """
 
-    def rest_of_ray(self, css: str) -> str:
-        """Return SVG of the far part of a ray that it sends to the end of the track; empty if it sends none.
-
-        Without a graphics card, a browser draws the whole rectangle around what moves again for each frame. So only
-        the first ``reach_m`` of a ray move with the vehicle, and the rest jumps now and then.
-
-        :param css: Moves an element that begins at 0 to the place where the rest begins.
-        """
-        return ''
-
-    @property
-    def ray_begin_m(self) -> float:
-        """Where its ray begins, before its front."""
-        return 0.0
-
-    @property
-    def reach_m(self) -> float:
-        """How much of a ray moves with the vehicle."""
-        return self.settings.track_m / 10
-
-    def rest_begin_m(self, position_m: float) -> float:
-        """Return where on the track the rest of a ray begins: within reach, at the next of the places where it may."""
-        return (math.floor((position_m + self.ray_begin_m) / self.reach_m) + 1) * self.reach_m
-
     @abstractmethod
     def in_front(self, moment: 'Moment') -> str:
         """Return SVG of what stands still in front of it."""
@@ -239,8 +215,7 @@ class _Animation:
         self.is_told = is_told
         self._kinds = [kind for kind in _KINDS if kind != 'cargo' or not is_told]
         self._vehicle, self._motion = vehicle, vehicle.motion
-        self._total_sec = self._motion.duration_sec
-        self._timing = f'{self._total_sec:.4f}s linear both'
+        self._timing = f'{self._motion.duration_sec:.4f}s linear both'
         # Digits that change with each frame could not be read.
         self._ticks = min(_MAX_TICKS, math.ceil(self._motion.duration_sec / _TICK_SEC))
 
@@ -273,7 +248,7 @@ class _Animation:
         words = [self._vehicle.at(start_sec).state.word for start_sec in starts_sec[:-1]]
         css, spans = '', ''
         for index, word in enumerate(words):
-            begin, end = (min(100.0, 100 * each / self._total_sec) for each in starts_sec[index:index + 2])
+            begin, end = (min(100.0, 100 * each / self._motion.duration_sec) for each in starts_sec[index:index + 2])
             name, last = f'{self._name}-word-{index}', index == len(words) - 1
             css += (f'@keyframes {name} {{0%{{opacity:{int(begin == 0)}}}{begin:.4f}%{{opacity:1}}'
                     f'{end:.4f}%{{opacity:{int(last)}}}100%{{opacity:{int(last)}}}}}')
@@ -283,16 +258,10 @@ class _Animation:
 
     def _steps(self, kind: str) -> Iterator[str]:
         for begin_sec, phase in zip(_starts_sec(self._motion), self._motion.phases):
-            jumps = kind in ('cargo', 'ray')
-            yield self._step(kind, begin_sec, phase.at(0), 'step-end' if jumps else _timing_function(phase))
-            if kind == 'ray':
-                yield from (self._step(kind, begin_sec + elapsed_sec, phase.at(elapsed_sec), 'step-end')
-                            for elapsed_sec in _jumps_sec(self._vehicle, phase))
+            timing = 'step-end' if kind == 'cargo' else _timing_function(phase)
+            yield (f'{100 * begin_sec / self._motion.duration_sec:.4f}% {{{_css(kind, self._vehicle, phase.at(0))}'
+                   f'animation-timing-function:{timing}}}')
         yield f'100% {{{_css(kind, self._vehicle, self._motion.end)}}}'
-
-    def _step(self, kind: str, at_sec: float, state: 'State', timing: str) -> str:
-        return (f'{100 * at_sec / self._total_sec:.4f}% {{{_css(kind, self._vehicle, state)}'
-                f'animation-timing-function:{timing}}}')
 
 
 def _timing_function(phase: 'Phase') -> str:
@@ -302,20 +271,8 @@ def _timing_function(phase: 'Phase') -> str:
     return f'cubic-bezier(0.333333,{start / 3:.6f},0.666667,{(1 + start) / 3:.6f})'
 
 
-def _jumps_sec(vehicle: Vehicle, phase: 'Phase') -> Iterator[float]:
-    """Yield when, within a phase, the rest of the vehicle's ray jumps: when the ray's begin has come to the rest's."""
-    end_m = phase.at(phase.duration_sec).position_m
-    place_m = vehicle.rest_begin_m(phase.position_m) - vehicle.ray_begin_m
-    while place_m < end_m:
-        way_m = place_m - phase.position_m
-        speed_mps = math.sqrt(max(0.0, phase.velocity_mps ** 2 + 2 * phase.acceleration_mps2 * way_m))
-        # A moment later, so that rounding does not leave it before the place.
-        yield 2 * way_m / (phase.velocity_mps + speed_mps) + 1e-6
-        place_m += vehicle.reach_m
-
-
 # What can move by itself.
-_KINDS = ('robot', 'wheel', 'brake', 'cargo', 'ray')
+_KINDS = ('robot', 'wheel', 'brake', 'cargo')
 
 
 def _css(kind: str, vehicle: Vehicle, state: 'State') -> str:
@@ -329,9 +286,7 @@ def _css(kind: str, vehicle: Vehicle, state: 'State') -> str:
             # The square of the speed changes with the way driven in the same proportion, so the timing is that of the
             # place.
             return f'transform:scaleX({vehicle.stopping_m(state) * vehicle.units_per_m / _BAR:.5f});'
-        case 'cargo':
-            return f'transform:rotate({Moment(vehicle, state).lean_rad:.4f}rad);'
-    return f'transform:translateX({vehicle.x(vehicle.rest_begin_m(state.position_m)):.3f}px);'
+    return f'transform:rotate({Moment(vehicle, state).lean_rad:.4f}rad);'
 
 
 def _picture(moment: Moment, animation: _Animation | None) -> str:
@@ -362,8 +317,7 @@ def _layers(moment: Moment, animation: _Animation | None) -> str:
         return _css(kind, vehicle, state) + (animation.css(kind) if animation else '')
 
     bar = f'<path class="robot-brake" d="M0 {GROUND + 5}h{_BAR}" style="{css("brake")}"/>'
-    rest = '' if state.word == 'CRASHED' else vehicle.rest_of_ray(css('ray'))
-    return (f'{vehicle.behind(moment)}{rest}<g class="robot-mover" style="{css("robot")}">{bar}'
+    return (f'{vehicle.behind(moment)}<g class="robot-mover" style="{css("robot")}">{bar}'
             f'<g transform="translate(0 {GROUND})">{vehicle.drawn(moment, css("wheel"), css("cargo"))}</g></g>'
             f'{vehicle.in_front(moment)}')
 

@@ -109,18 +109,6 @@ class Robot(Vehicle):
             parts.append(svg.words((wall + WIDTH) / 2, _WALL_TOP - 12, 'wall'))
         return ''.join(parts)
 
-    @property
-    def ray_begin_m(self) -> float:
-        """Where its sensor's ray begins, before its front."""
-        return -self.length_m / 2 + self.sensor_mount_m + 0.03
-
-    def rest_of_ray(self, css: str) -> str:
-        """Return SVG of the far part of its sensor's ray, which the wall hides where it ends."""
-        if not self.settings.safety_on:
-            return ''
-        y = GROUND - (self.wheel_m + _DECK_OVER_WHEEL_M + _EYE_OVER_DECK_M) * self.units_per_m
-        return f'<path class="robot-laser" d="M0 {y:.1f}H{WIDTH}" style="{css}"/>'
-
     # -- the robot ---------------------------------------------------------------------------------------
 
     def drawn(self, moment: Moment, wheel_css: str, cargo_css: str) -> str:
@@ -133,11 +121,11 @@ class Robot(Vehicle):
         color = driving.paint(self.name)
         listens = ''
         if self.settings.safety_on and moment.state.word != 'CRASHED':
-            # The ray goes on to the wall: see rest_of_ray. A little longer than it has to be, so that no gap is seen.
-            lens, reach = sensor + 3, 100 * self.reach_m
+            # The wall hides where the ray ends.
+            lens, reach = sensor + 3, 10 * self.settings.track_m
             cones = ''.join(f'<path class="robot-beam" d="M{lens:g} {eye:g}l{reach * part:g} -{9 * part:g}'
                             f'v{18 * part:g}z"/>' for part in (1, .75, .5))
-            listens = (f'{cones}<path class="robot-laser" d="M{lens:g} {eye:g}h{reach * 1.02:g}" '
+            listens = (f'{cones}<path class="robot-laser" d="M{lens:g} {eye:g}h{10 * reach:g}" '
                        f'style="stroke-width:{_LASER / scale:.2f}"/>')
         believed = self.settings.sensor_offset_m
         ghost = ''
