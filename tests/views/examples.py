@@ -47,7 +47,7 @@ _CALLS = [
     Call('/arm', 'set_parameters', ('kp = 3.0', f'tool = {EVIL}'),
          (Line('accepted', True), Line('rejected: wrong type', False))),
     Call('/arm', 'set_parameters_atomically', ('tool = 5',), (Line('rejected: wrong type', False),)),
-    Call('/simple_param_node', 'list_parameters', (), tuple(Line(f'p{number}') for number in range(9))),
+    Call('/simple_param_node', 'list_parameters', (), tuple(Line(f'p{number}') for number in range(5))),
     Call('/amr', 'get_parameters', ('tool',), problem='there is no node /amr. Did you mean /arm?', is_delivered=False),
     Call('/dozing', 'list_parameters', (), problem='/dozing did not answer within 0.5 s')]
 

@@ -4,20 +4,14 @@ import {all, make} from '../../param_tools/panel/dom.js';
 import {initialize} from '../../param_tools/panel/front.js';
 import {ask, attach} from './handle.js';
 
-/** @param {import('@anywidget/types').RenderProps<{items: string[], answered: number}>} props */
+/** @param {import('@anywidget/types').RenderProps<{items: string[]}>} props */
 function render(props) {
   const {model} = props;
   const caption = 'Drag into another order:';
   const list = make('ol', {ariaLabel: caption});
   const line = make('div', {}, make('span', {ariaHidden: 'true'}, caption), list);
   const order = () => all(list, 'li').map(each => each.dataset.item ?? '');
-  // How many answers there are once everything is answered: the reader goes on meanwhile, and an older answer takes
-  // nothing back.
-  let due = 0;
-  const send = () => {
-    due = Math.max(due, model.get('answered')) + 1;
-    ask(props, order());
-  };
+  const send = () => ask(props, order());
 
   /**
    * @param {string} name
@@ -89,8 +83,8 @@ function render(props) {
 
   attach(props, line, () => {
     line.hidden = model.get('items').length < 2;
-    // A line that is drawn anew would take the keyboard away.
-    if (model.get('answered') >= due && order().join('\n') !== model.get('items').join('\n')) draw(model.get('items'));
+    // Only other things are drawn anew: the order is the reader's, who may have gone on before an answer comes.
+    if (order().sort().join('\n') !== [...model.get('items')].sort().join('\n')) draw(model.get('items'));
   });
 }
 

@@ -15,7 +15,6 @@ _ASKER_X, _NODE_X, _BOX_WIDTH = 14, 536, 170
 _LANE_X, _LANE_END = _ASKER_X + _BOX_WIDTH + 4, _NODE_X - 4
 _HEAD, _LINE, _PAD, _BETWEEN, _NO_ANSWER, _PROBLEM_LINE = 24, 18, 6, 10, 20, 16
 _CARD_LETTERS, _PROBLEM_LETTERS = 36, 46
-_MOST_LINES = 4
 # Where a message ends up that nobody takes, as a part of the lane that is left to it.
 _LOST = .62
 _BEGIN_SEC, _READ_SEC, _WORK_SEC, _STAY_SEC = 0.3, 0.5, 0.4, 0.6
@@ -107,15 +106,12 @@ def _add_call(diagram: Diagram, call: Call, top: float, begin_sec: float) -> flo
 
 def _add_card(diagram: Diagram, lines: Sequence[Line], top: float, leaves_sec: float, *, is_back: bool = False,
               is_lost: bool = False) -> float:
-    """Add a card with some lines that travels, and return when it arrives; the last line says what does not fit on it.
+    """Add a card with some lines that travels, and return when it arrives.
 
     :param is_back: Whether it travels to the left, to the node that has asked.
     :param is_lost: Whether it stops before it has arrived.
     """
-    kept = lines if len(lines) <= _MOST_LINES else lines[:_MOST_LINES - 1]
-    shown = [Line(svg.cut(line.words, _CARD_LETTERS), line.accepted) for line in kept]
-    if len(kept) < len(lines):
-        shown.append(Line(f'… and {len(lines) - len(kept)} more'))
+    shown = [Line(svg.cut(line.words, _CARD_LETTERS), line.accepted) for line in lines]
     is_bad = is_lost or all(line.accepted is False for line in shown)
     half = max(44.0, *(1.06 * svg.LETTER_WIDTH * len(line.words) + (20 if line.accepted is None else 38)
                        for line in shown)) / 2
@@ -148,4 +144,4 @@ def _height(call: Call) -> float:
 
 
 def _card_height(lines: Sequence[object]) -> float:
-    return _LINE * min(max(1, len(lines)), _MOST_LINES) + 2 * _PAD
+    return _LINE * max(1, len(lines)) + 2 * _PAD

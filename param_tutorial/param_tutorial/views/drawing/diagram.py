@@ -39,9 +39,10 @@ class Seen:
 
     def frames(self) -> _Frames:
         """Return the states of the parts."""
+        there_sec = self.from_sec + _FADE_SEC if self.to_sec is None else min(self.from_sec + _FADE_SEC, self.to_sec)
         frames = [(0.0, 'opacity:1')]
         if self.from_sec > 0:
-            frames = [(0.0, 'opacity:0'), (self.from_sec, 'opacity:0'), (self.from_sec + _FADE_SEC, 'opacity:1')]
+            frames = [(0.0, 'opacity:0'), (self.from_sec, 'opacity:0'), (there_sec, 'opacity:1')]
         if self.to_sec is not None:
             frames += [(self.to_sec, 'opacity:1'), (self.to_sec + _FADE_SEC, 'opacity:0')]
         return frames

@@ -13,7 +13,6 @@ _HEADING, _STEP = 66, 44
 _BEGIN_SEC, _MOVE_SEC, _STAY_SEC = 0.5, 0.9, 0.8
 _MARK = 3.2
 _LETTERS = 38
-_MOST_TICKS = 11
 
 Point = tuple[float, float]
 # In words, the pair that was asked for, and the pair that the node had afterwards.
@@ -68,10 +67,10 @@ def draw_plane(names: Sequence[str], answers: Mapping[Point, bool], ways: Sequen
 
 def _add_axes(diagram: Diagram, names: Sequence[str], points: Iterable[Point], at: Callable[[Point], Point]) -> None:
     rights, ups = (sorted(set(values)) for values in zip(*points, strict=True))
-    for value in _ticks(rights):
+    for value in rights:
         x, _ = at((value, ups[0]))
         diagram.add(svg.path(f'M{x:.1f} {_FOOT}v4'), svg.words(x, _FOOT + 18, f'{value:g}'))
-    for value in _ticks(ups):
+    for value in ups:
         _, y = at((rights[0], value))
         diagram.add(svg.path(f'M{_LEFT} {y:.1f}h-4'), svg.words(_LEFT - 8, y + 4.5, f'{value:g}', anchor='end'))
     diagram.add(svg.words(_LEFT + _SIDE / 2, _FOOT + 40, f'{names[0]} →', 'bold'),
@@ -108,11 +107,6 @@ def _add_way(diagram: Diagram, way: Way, begin_sec: float, y: float, at: Callabl
 def _mark(x: float, y: float, is_taken: bool) -> str:
     """Return a ring for a pair that the node takes, and a cross for a pair that it rejects."""
     return svg.circle(x, y, _MARK, 'line') if is_taken else svg.cross(x, y, _MARK, 'line faint')
-
-
-def _ticks(values: Sequence[float]) -> Sequence[float]:
-    """Return which values of an axis stand beside it: all if there is room, and otherwise both ends."""
-    return values if len(values) <= _MOST_TICKS else [values[0], values[-1]]
 
 
 def _pair(point: Point) -> str:
