@@ -14,7 +14,6 @@ from param_tools.cli.launch.actions import carry_out
 from param_tools.cli.launch.context import Context, LaunchFailed
 from param_tools.cli.launch.markup import load
 from param_tools.cli.launch.rehearsal import RehearsedLaunch
-from param_tools.cli.launch.substitutions import PathSubstitution, TextSubstitution
 from param_tools.cli.launch.verb import include
 from tests.support.commands import run
 
@@ -73,12 +72,6 @@ def test_what_is_wrong_in_xml_and_in_yaml_is_named(write, text, why):
     path = write(f'<launch>{text}</launch>', 'x.launch.xml') if is_xml else write(f'launch: {text}', 'x.launch.yaml')
     with pytest.raises(LaunchFailed, match=why):
         load(path)
-
-
-def test_a_path_grows_with_slashes(context):
-    """As in launch files for today's Jazzy; launch 3.4.3, whose answers are recorded, has no such class."""
-    path = PathSubstitution('/a') / 'b' / [TextSubstitution(text='c'), '.yaml']
-    assert path.perform(context) == '/a/b/c.yaml'
 
 
 # -- check --launch -------------------------------------------------------------------------------------------------

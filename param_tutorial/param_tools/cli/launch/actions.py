@@ -386,7 +386,8 @@ class EmitEvent(Action):
 
 
 class Event:
-    """An event, or what sets actions off when there is one; a function that would return them is passed over."""
+    """Stands for any event and event handler of launch: keeps the actions that it would carry out, if they are listed
+    and not returned by a function."""
 
     def __init__(self, *_: Any, **options: Any):
         found: Any = next((options[name] for name in ('on_exit', 'on_start', 'on_completion', 'on_shutdown', 'entities')
