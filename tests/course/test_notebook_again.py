@@ -45,8 +45,7 @@ print(_count())
 '''
 
 
-@pytest.mark.slow
-@pytest.mark.thorough
+@pytest.mark.rare
 # Chapter 2 builds its workspace in each of the four runs.
 @pytest.mark.timeout(600)
 @pytest.mark.parametrize('path', sorted(NOTEBOOKS.glob('*.ipynb')), ids=lambda path: path.stem)

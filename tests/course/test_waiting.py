@@ -8,9 +8,8 @@ import threading
 
 import pytest
 import rclpy
-from rcl_interfaces.msg import ParameterEvent
-from rcl_interfaces.srv import GetParameters, SetParameters
-from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from rcl_interfaces.srv import SetParameters
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.context import Context
 from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from rclpy.node import Node
@@ -18,7 +17,6 @@ from rclpy.parameter import Parameter
 from rclpy.task import Future
 
 from param_tools.ros import domain
-from param_tutorial import wait_until
 
 LIMIT_SEC = {True: 60.0, False: 1.5}
 """How long an answer may take: where one is expected, and where none is."""
@@ -103,56 +101,6 @@ def test_a_callback_that_waits_needs_a_second_group_and_a_free_thread(tick, asks
     with spinning(SingleThreadedExecutor, Other), spinning(executor_class, make, **options) as asking:
         assert asking.is_asked.wait(60)
         assert asking.is_answered.wait(asking.limit_sec) is expected
-
-
-@pytest.mark.parametrize('create', [
-    lambda node, group: node.create_timer(60.0, print, callback_group=group),
-    lambda node, group: node.create_subscription(ParameterEvent, 'told', print, 10, callback_group=group),
-    lambda node, group: node.create_client(GetParameters, 'ask', callback_group=group),
-    lambda node, group: node.create_service(GetParameters, 'ask', print, callback_group=group),
-], ids=['timer', 'subscription', 'client', 'service'])
-def test_what_a_node_creates_belongs_to_its_default_group_unless_another_is_named(ros, create):
-    node = ros.add(Node, 'creates')
-    assert isinstance(node.default_callback_group, MutuallyExclusiveCallbackGroup)
-    assert ros.run(lambda: create(node, None), 'create').callback_group is node.default_callback_group
-    group = ReentrantCallbackGroup()
-    assert ros.run(lambda: create(node, group), 'create').callback_group is group
-
-
-class Slow(Node):
-    """A service and a subscription whose callbacks await something for a moment."""
-
-    def __init__(self, context=None):
-        super().__init__('slow', context=context)
-        group = ReentrantCallbackGroup()
-        self.has_heard = threading.Event()
-        self.create_service(GetParameters, 'ask', self.answer, callback_group=group)
-        self.create_subscription(ParameterEvent, 'told', self.hear, 10, callback_group=group)
-        self.publisher = self.create_publisher(ParameterEvent, 'told', 10)
-        self.client = self.create_client(GetParameters, 'ask', callback_group=group)
-
-    async def moment(self):
-        future = Future()
-        timer = self.create_timer(0.01, future.cancel)
-        await future
-        self.destroy_timer(timer)
-
-    async def answer(self, _, response):
-        await self.moment()
-        return response
-
-    async def hear(self, _):
-        await self.moment()
-        self.has_heard.set()
-
-
-def test_services_and_subscriptions_may_await_under_rclpys_own_executor():
-    with spinning(SingleThreadedExecutor, Slow) as slow:
-        assert slow.client.wait_for_service(60)
-        assert slow.client.call(GetParameters.Request(), timeout_sec=60)
-        wait_until(slow.publisher.get_subscription_count, 'the subscription')
-        slow.publisher.publish(ParameterEvent())
-        assert slow.has_heard.wait(60)
 
 
 # rclpy calls parameter callbacks, and never awaits what an `async def` returns.
