@@ -5,7 +5,6 @@ from collections import Counter
 from typing import NamedTuple
 
 import nbformat
-import pytest
 
 from tests.support.paths import NOTEBOOKS, ROOT
 from tests.tools import notebook_lint
@@ -45,37 +44,36 @@ def sections(path):
 
 
 CHAPTERS = {path.stem: sections(path) for path in NOTEBOOKS.glob('[0-9]*.ipynb')}
+SECTIONS = [(chapter, heading, cells) for chapter, parts in CHAPTERS.items() for heading, cells in parts.items()]
 
 
 def test_each_claim_has_one_line_in_its_place():
     assert [identifier for identifier, _ in rows()] == IDS
 
 
-@pytest.mark.parametrize('identifier', IDS)
-def test_a_claim_is_proved_or_says_why_it_cannot_be(identifier):
-    claim, verdict, proofs = TABLE[identifier]
-    kind, _, words = verdict.partition(': ')
-    assert claim
-    assert kind in ('true', 'partly', 'false', 'outdated', 'not testable here')
-    assert words or kind == 'true', 'say what is really so, or why it cannot be tested'
-    assert proofs or kind == 'not testable here'
-    for proof in proofs:
-        if section := SECTION.fullmatch(proof):
-            chapter, heading = section.groups()
-            cells = CHAPTERS.get(chapter, {}).get(heading, [])
-            assert any(is_compared(cell) for cell in cells), f'no output is compared there: {proof}'
-        else:
-            test = TEST.fullmatch(proof)
-            assert test and f'\ndef {test[2]}(' in TESTS[test[1]], proof
+def test_each_claim_is_proved_or_says_why_it_cannot_be():
+    for identifier, (claim, verdict, proofs) in TABLE.items():
+        kind, _, words = verdict.partition(': ')
+        assert claim, identifier
+        assert kind in ('true', 'partly', 'false', 'outdated', 'not testable here'), identifier
+        assert words or kind == 'true', f'{identifier}: say what is really so, or why it cannot be tested'
+        assert proofs or kind == 'not testable here', identifier
+        for proof in proofs:
+            if section := SECTION.fullmatch(proof):
+                chapter, heading = section.groups()
+                cells = CHAPTERS.get(chapter, {}).get(heading, [])
+                assert any(is_compared(cell) for cell in cells), f'no output is compared there: {proof}'
+            else:
+                test = TEST.fullmatch(proof)
+                assert test and f'\ndef {test[2]}(' in TESTS[test[1]], proof
 
 
 def is_compared(cell):
     return cell.cell_type == 'code' and bool(cell.outputs) and not notebook_lint.is_not_compared(cell)
 
 
-@pytest.mark.parametrize('chapter', sorted(CHAPTERS))
-def test_a_claim_that_a_chapter_names_is_shown_by_cells(chapter):
-    for heading, cells in CHAPTERS[chapter].items():
+def test_a_claim_that_a_chapter_names_is_shown_by_cells():
+    for chapter, heading, cells in SECTIONS:
         text = '\n'.join(cell.source for cell in cells if cell.cell_type == 'markdown')
         for identifier in re.findall(r'\bA\d{3}\b', text):
             assert any(SECTION.fullmatch(proof) for proof in TABLE[identifier].proofs), (
@@ -100,10 +98,8 @@ BOX = re.compile(r'> <details class="belief">\n> '
                  r'> .+ \(\[the article, (?:A\d{3}(?:, )?)+\]\(claims\.md\)\)\n>\n> </details>(?=\n\n|\Z)')
 
 
-@pytest.mark.parametrize('chapter', sorted(CHAPTERS))
-def test_a_box_is_folded_and_headed_by_a_belief_or_a_wish_in_few_words(chapter):
-    for cell in (cell for cells in CHAPTERS[chapter].values() for cell in cells if cell.cell_type == 'markdown'):
-        assert '**Where the article' not in cell.source
+def test_a_box_is_folded_and_headed_by_a_belief_or_a_wish_in_few_words():
+    for cell in (cell for _, _, cells in SECTIONS for cell in cells if cell.cell_type == 'markdown'):
         beliefs = BOX.findall(cell.source)
         assert len(beliefs) == cell.source.count('<details') == cell.source.count('](claims.md))'), cell.source
         assert all(len(re.sub('<[^>]+>', '', belief).split()) <= 12 for belief in beliefs), beliefs

@@ -2,14 +2,11 @@
 
 import os
 import shutil
-import signal
-import subprocess
 from pathlib import Path
 
 import pytest
 
 from param_tutorial import ParameterClient, Shell, Terminal
-from param_tutorial.notebook.interrupts import interruptible
 from tests.support.paths import PACKAGE, ROOT, TOOLS
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough]
@@ -95,19 +92,6 @@ def test_a_node_runs_from_the_install_space(workspace, ros):
     assert client.get_parameters(['robot_name', 'max_speed_rpm']) == {'robot_name': 'AlphaClaw', 'max_speed_rpm': 180}
     assert robot.interrupt() == 0
     assert 'Traceback' not in robot.text
-
-
-@pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM])
-def test_a_node_from_the_install_space_ends_well_in_its_constructor(workspace, number):
-    """Where a signal shuts the context down under the feet of rclpy."""
-    with interruptible(), subprocess.Popen(
-            [workspace.programs / 'simple_param_node'], env=workspace.shell.environment(), stderr=subprocess.PIPE,
-            text=True) as process:
-        text = next(line for line in process.stderr if 'has been started' in line)
-        process.send_signal(number)
-        text += process.stderr.read()
-    assert process.returncode == 0
-    assert 'Traceback' not in text
 
 
 def test_an_edit_takes_effect_with_links_and_does_not_without(workspace):

@@ -100,20 +100,10 @@ def test_after_a_set_up_that_failed_the_next_one_starts_afresh(checkout):
     assert checkout.has('param_tutorial') and not mark.exists()
 
 
-@pytest.mark.slow
-def test_a_sourced_ros_does_not_reach_the_set_up(checkout, tmp_path):
-    for name in ('hashlib', 'ruff'):
-        (tmp_path / f'{name}.py').write_text('raise ImportError("from another Python")\n')
-    done = checkout.make('setup-all', PYTHONPATH=str(tmp_path), PIP_USER='1')
-    assert done.returncode == 0, done.stderr
-    assert checkout.has('ruff')
-
-
-@pytest.mark.parametrize('python', ['python3.99', 'false'])
-def test_a_python_that_will_not_do_is_named(checkout, python):
-    done = checkout.make(python=python)
+def test_a_python_that_will_not_do_is_named(checkout):
+    done = checkout.make(python='python3.99')
     assert done.returncode
-    assert done.stderr.startswith(f"The course needs CPython 3.10 to 3.14, and {python} isn't one: install one")
+    assert done.stderr.startswith("The course needs CPython 3.10 to 3.14, and python3.99 isn't one: install one")
     assert not (checkout.root / '.venv').exists()
 
 
