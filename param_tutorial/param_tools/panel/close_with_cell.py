@@ -1,4 +1,4 @@
-"""What a notebook's cell made last time goes when the cell runs again, and no other cell shows it."""
+"""Close a cell's widgets when the cell runs again, unless another cell still displays them."""
 
 from typing import Any
 

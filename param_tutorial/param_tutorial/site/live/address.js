@@ -18,13 +18,10 @@ const entered = new Set();
  * @param {any} content
  */
 export function noteEntered(panel, content) {
-  let names = content?.do === 'enter' ? [content.name] : [];
-  if (content?.do === 'act' && !content.is_save) names = Object.keys(panel.get('state').rows); // a file may set them all
-  for (const name of names) {
-    const key = `${panel.place}:${name}`;
-    entered.delete(key);
-    entered.add(key);
-  }
+  if (content?.do !== 'enter') return;
+  const key = `${panel.place}:${content.name}`;
+  entered.delete(key);
+  entered.add(key);
 }
 
 /**
@@ -32,11 +29,11 @@ export function noteEntered(panel, content) {
  * @param {Handle} panel
  */
 export function keepSettings(panel) {
-  /** @type {Record<string, {text: string, first?: string, is_busy?: boolean, is_gathered?: boolean}>} */
+  /** @type {Record<string, {text: string, first?: string, is_busy?: boolean}>} */
   const rows = panel.get('state').rows;
-  for (const [name, {text, first, is_busy, is_gathered}] of Object.entries(rows)) {
+  for (const [name, {text, first, is_busy}] of Object.entries(rows)) {
     const key = `${panel.place}:${name}`;
-    if (is_busy || is_gathered || !entered.has(key)) continue;
+    if (is_busy || !entered.has(key)) continue;
     if (first === undefined) settings.delete(key);
     else settings.set(key, text);
   }
