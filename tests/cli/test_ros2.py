@@ -13,7 +13,7 @@ from rcl_interfaces.srv import GetParameters
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tools.cli import session
+from param_tools.cli import param, session
 from param_tools.cli.run import node_programs
 from param_tools.ros import executor
 from param_tutorial import wait_until
@@ -174,7 +174,8 @@ def test_a_list_of_all_nodes_names_only_those_with_something_left(ros, option):
 
 
 def test_a_busy_node_is_given_up_after_a_while(silent, monkeypatch):
-    monkeypatch.setattr(session, 'SERVICE_TIMEOUT_SEC', 0.3)
+    for module in (session, param):
+        monkeypatch.setattr(module, 'SERVICE_TIMEOUT_SEC', 0.3)
     stdout, stderr, status = run('param', 'get', '/silent', 'use_sim_time')
     assert (stdout, status) == ('', 1)
     assert '/silent did not answer get_parameters within 0.3 s' in stderr

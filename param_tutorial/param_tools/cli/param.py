@@ -5,7 +5,10 @@ is 0. That is so in the genuine command, and scripts rely on it.
 """
 
 import argparse
-from collections.abc import Callable
+import functools
+import math
+import re
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import yaml
@@ -16,6 +19,7 @@ from rclpy.parameter import parameter_dict_from_yaml_file
 
 from param_tools import values
 from param_tools.cli.session import (
+    SERVICE_TIMEOUT_SEC,
     CommandFailed,
     CommandParser,
     Commands,
@@ -24,10 +28,10 @@ from param_tools.cli.session import (
     add_node_options,
     add_parameter_options,
     add_verbs,
-    compiled,
     without_services,
 )
-from param_tools.ros import graph
+from param_tools.errors import ParameterToolError
+from param_tools.ros import graph, waiting
 from param_tools.ros.executor import TOOL_NODE_NAME
 
 
@@ -71,15 +75,18 @@ def add_to(commands: Commands) -> None:
 
 
 def list_parameters(session: Session, args: argparse.Namespace) -> None:
-    wanted = compiled(args.filter or '')
+    try:
+        wanted = re.compile(args.filter or '')
+    except re.error as error:
+        raise CommandFailed(f'{args.filter!r} is not a regular expression: {error}') from None
     if args.node_name:
         nodes = [NodeName.parse(session.find(args))]
         session.executor.services.find(nodes[0].full_name, 'list_parameters')  # without it, that is what is printed
     else:
         session.wait_for_graph(args)
-        nodes = listed_nodes(session, hidden=args.include_hidden_nodes)
-    answers = session.call_all([each.full_name for each in nodes if _has_services(session, each)], 'list_parameters',
-                               ListParameters.Request(prefixes=args.param_prefixes))
+        nodes = _listed_nodes(session, hidden=args.include_hidden_nodes)
+    answers = _ask_all(session, [each.full_name for each in nodes if _has_services(session, each)],
+                       ListParameters.Request(prefixes=args.param_prefixes))
     for each in nodes:
         node = each.full_name
         if node not in answers:
@@ -100,7 +107,26 @@ def list_parameters(session: Session, args: argparse.Namespace) -> None:
             session.print(f'  {name}{types.get(name, "")}')
 
 
-def listed_nodes(session: Session, *, hidden: bool) -> list[NodeName]:
+def _ask_all(session: Session, nodes: Sequence[str], request: ListParameters.Request) -> dict[str, Any]:
+    """Return for each node its answer, or the ParameterToolError that came instead."""
+    services = session.executor.services
+    answers: dict[str, Any] = {}
+
+    def keep(node: str, future: Any) -> None:
+        answers[node] = future.exception() or future.result()
+
+    for node in nodes:
+        try:
+            services.call_async(node, 'list_parameters', request, timeout_sec=SERVICE_TIMEOUT_SEC
+                                ).add_done_callback(functools.partial(keep, node))
+        except ParameterToolError as error:
+            answers[node] = error
+    # Each call has a time limit of its own, so each finishes.
+    waiting.wait(lambda: len(answers) == len(nodes), math.inf)
+    return answers
+
+
+def _listed_nodes(session: Session, *, hidden: bool) -> list[NodeName]:
     """Return the nodes, each name once, in the order of the genuine command, when their services are known."""
     found = sorted({each for each in session.node_names(hidden=hidden) if each.name != TOOL_NODE_NAME})
     graph.wait_for(lambda: all([_has_services(session, each) for each in found]))

@@ -6,15 +6,11 @@ once more.
 
 import argparse
 import functools
-import math
-import re
 import shlex
 from collections.abc import Callable, Generator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Protocol, TypeAlias
 
-from param_tools.errors import ParameterToolError
-from param_tools.ros import waiting
 from param_tools.ros.waiting import Steps
 
 if TYPE_CHECKING:
@@ -131,26 +127,6 @@ class Session:
             raise CommandFailed(without_services(node))
         return self.executor.services.call(node, service, request, timeout_sec=SERVICE_TIMEOUT_SEC)
 
-    def call_all(self, nodes: Sequence[str], service: str, request: Any) -> dict[str, Any]:
-        """Call the same service of several nodes at once.
-
-        :return: For each node its answer, or the ParameterToolError that came instead.
-        """
-        answers: dict[str, Any] = {}
-
-        def take(node: str, future: Any) -> None:
-            answers[node] = future.exception() or future.result()
-
-        for node in nodes:
-            try:
-                self.executor.services.call_async(node, service, request, timeout_sec=SERVICE_TIMEOUT_SEC
-                                                  ).add_done_callback(functools.partial(take, node))
-            except ParameterToolError as error:
-                answers[node] = error
-        # Each call has a time limit of its own, so each finishes.
-        waiting.wait(lambda: len(answers) == len(nodes), math.inf)
-        return answers
-
 
 def run_verb(session: Session, args: argparse.Namespace) -> Steps:
     """Run the verb that the arguments name, step by step if it goes on until somebody ends it."""
@@ -158,14 +134,6 @@ def run_verb(session: Session, args: argparse.Namespace) -> Steps:
     if isinstance(done, Generator):
         done = yield from done
     return done or 0
-
-
-def compiled(text: str) -> re.Pattern[str]:
-    """Return the regular expression that somebody has typed."""
-    try:
-        return re.compile(text)
-    except re.error as error:
-        raise CommandFailed(f'{text!r} is not a regular expression: {error}') from None
 
 
 def without_services(node: str | NodeName) -> str:
