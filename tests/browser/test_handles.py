@@ -69,8 +69,8 @@ def view(page, index):
     return page.page.locator('.jp-CodeCell').nth(index).locator('.motion-view')
 
 
-def told(page, index):
-    return view(page, index).locator('.motion-told')
+def outcome(page, index):
+    return view(page, index).locator('.motion-outcome')
 
 
 def drag(page, what, to_x, held=0):
@@ -91,10 +91,10 @@ def test_sources_are_dragged_into_another_order_or_moved_by_the_keyboard(opened)
     items.first.scroll_into_view_if_needed()
     last = items.last.bounding_box()
     drag(page, items.first.locator('span'), last['x'] + last['width'] - 5)
-    expect(told(page, LAYERS)).to_contain_text('speed = 400, from speed:=400.')
+    expect(outcome(page, LAYERS)).to_contain_text('speed = 400, from speed:=400.')
     assert lab.ask_kernel("ParameterClient('/robot').get_parameter('speed')") == '400'
     page.page.get_by_role('button', name='Move speed:=400 earlier').press('Enter')
-    expect(told(page, LAYERS)).to_contain_text('speed = 500, from robot:speed:=500.')
+    expect(outcome(page, LAYERS)).to_contain_text('speed = 500, from robot:speed:=500.')
     expect(items).to_have_text(['‹speed:=400›', '‹robot:speed:=500›'])
     # At the end of its way, what was moved still has the keyboard.
     expect(page.page.get_by_role('button', name='Move speed:=400 later')).to_be_focused()
@@ -106,12 +106,12 @@ def test_the_marker_of_a_number_line_is_dragged_also_to_where_no_value_is_allowe
     drawing.scroll_into_view_if_needed()
     ring = [each.bounding_box() for each in drawing.locator('.motion-dot').all()]
     drag(page, drawing.locator('.motion-pin'), ring[3]['x'] + ring[3]['width'] / 2 + 8, held=8)
-    expect(told(page, LINE)).to_have_text('opening = 60 is stored.')
+    expect(outcome(page, LINE)).to_have_text('opening = 60 is stored.')
     assert lab.ask_kernel("ParameterClient('/robot').get_parameter('opening')") == '60'
     expect(drawing).to_contain_text('60')
     # Far beside the picture: the marker stops at its edge, which on this scale is -15.
     drag(page, view(page, LINE).locator('svg').first.locator('.motion-pin'), 1)
-    expect(told(page, LINE)).to_contain_text('opening = -15 is rejected: Parameter opening out of range')
+    expect(outcome(page, LINE)).to_contain_text('opening = -15 is rejected: Parameter opening out of range')
     expect(view(page, LINE).get_by_role('textbox')).to_have_value('-15')
 
 
@@ -119,9 +119,9 @@ def test_listeners_get_the_message_as_the_chosen_qos_allows(opened):
     _, page = opened
     picture = view(page, MESSAGES)
     picture.get_by_label('durability of /hopeful').select_option('volatile')
-    expect(told(page, MESSAGES)).to_contain_text('/hopeful (asks for reliable, volatile), this notebook')
+    expect(outcome(page, MESSAGES)).to_contain_text('/hopeful (asks for reliable, volatile), this notebook')
     picture.get_by_label('durability of /hopeful').select_option('transient local')
-    expect(told(page, MESSAGES)).to_contain_text(
+    expect(outcome(page, MESSAGES)).to_contain_text(
         '/hopeful (asks for reliable, transient local) subscribes and gets nothing: incompatible QoS')
 
 
@@ -136,7 +136,7 @@ def test_as_long_as_there_is_no_answer_the_line_says_so(opened):
     finally:
         (lab.folder / 'busy').unlink()
     expect(line).not_to_have_class(re.compile('motion-waiting'))
-    expect(told(page, LADDER)).to_have_text('speed = 8 is accepted.')
+    expect(outcome(page, LADDER)).to_have_text('speed = 8 is accepted.')
 
 
 def test_nothing_that_axe_finds_in_the_pictures(opened):

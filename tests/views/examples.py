@@ -11,10 +11,9 @@ from param_tutorial.views.drawing.ladder import draw_ladder
 from param_tutorial.views.drawing.layers import draw_layers
 from param_tutorial.views.drawing.lifts import draw_lifts
 from param_tutorial.views.drawing.messages import Listener, draw_messages
-from param_tutorial.views.drawing.number_line import Request, Scale, draw_number_line
+from param_tutorial.views.drawing.number_line import Attempt, Scale, draw_number_line
 from param_tutorial.views.drawing.plane import Way, draw_plane
-from param_tutorial.views.drawing.requests import Request as Sent
-from param_tutorial.views.drawing.requests import Side, draw_requests
+from param_tutorial.views.drawing.requests import SentValue, Side, draw_requests
 from param_tutorial.views.drawing.robot import Robot
 from param_tutorial.views.drawing.ros_graph import NodeGraph
 from param_tutorial.views.drawing.timeline import Step, Timeline
@@ -64,19 +63,21 @@ _WAYS = [Way('one by one', (50, 60), [('high_c = 10', (50, 10), (50, 60)), ('low
 
 _LIST = "[1, 'two', 3.0]"
 _WORLDS = [
-    Side('ROS 1', '/robot', {'gain': '0.5'}, [Sent('gain', each, each) for each in ('1', "'high'", _LIST)],
+    Side('ROS 1', '/robot', {'gain': '0.5'}, [SentValue('gain', each, each) for each in ('1', "'high'", _LIST)],
          server='master', note=f'2 * gain = {_LIST}'),
     Side('ROS 2', '/robot', {'gain': '0.5'}, [
-        *(Sent('gain', each, '0.5', 'wrong type') for each in ('1', "'high'")),
-        Sent('gain', _LIST, '0.5', 'no type for it')], note='2 * gain = 1.0')]
+        *(SentValue('gain', each, '0.5', 'wrong type') for each in ('1', "'high'")),
+        SentValue('gain', _LIST, '0.5', 'no type for it')], note='2 * gain = 1.0')]
 _HAS = {'fan': '3', 'low_c': '-30', 'high_c': '-10', 'mode': "'winter'"}
 _WAYS_BACK = [
     Side('all, one by one', '/weather', _HAS, [
-        Sent('mode', "'summer'", "'summer'"), Sent('fan', '3', '3'),
-        Sent('low_c', '-5', '-30', 'rejected by the node'), Sent('high_c', '40', '40')], note='still different: low_c'),
+        SentValue('mode', "'summer'", "'summer'"), SentValue('fan', '3', '3'),
+        SentValue('low_c', '-5', '-30', 'rejected by the node'), SentValue('high_c', '40', '40')],
+         note='still different: low_c'),
     # Its rows are not in the order in which they are sent.
     Side('what differs, as one', '/weather', _HAS, [
-        Sent('low_c', '-5', '-5'), Sent('high_c', '40', '40'), Sent('mode', "'summer'", "'summer'")], is_one=True)]
+        SentValue('low_c', '-5', '-5'), SentValue('high_c', '40', '40'), SentValue('mode', "'summer'", "'summer'")],
+         is_one=True)]
 
 _COPIED = (Move('/a variable', '/a used'), Move('/b parameter', '/b used'))
 _COPIES = ['/a parameter', '/a variable', '/a used', '/b parameter', '/b used']
@@ -102,10 +103,10 @@ DIAGRAMS = {
     'messages_none': draw_messages(['/arm'], {'this notebook': Listener('reliable, volatile')}),
     'number_line': draw_number_line('/gripper', 'opening_mm', Scale(0, 85, 10), 40),
     'number_line_accepted': draw_number_line('/gripper', 'opening_mm', Scale(0, 85, 10), 80, before=40,
-                                             request=Request(85, '85')),
-    'number_line_rejected': draw_number_line('/gripper', 'opening_mm', Scale(0, 85, 10), 40, request=Request(
+                                             request=Attempt(85, '85')),
+    'number_line_rejected': draw_number_line('/gripper', 'opening_mm', Scale(0, 85, 10), 40, request=Attempt(
         45, '45', 'The parameter value for opening_mm is not a valid step')),
-    'number_line_locked': draw_number_line('/gripper', 'serial', Scale.around(7), 7, is_locked=True, request=Request(
+    'number_line_locked': draw_number_line('/gripper', 'serial', Scale.around(7), 7, is_locked=True, request=Attempt(
         None, "'x'", 'serial is read-only')),
     'plane': draw_plane(('low_c', 'high_c'), _PAIRS, _WAYS),
     'requests_worlds': draw_requests('gain', _WORLDS),

@@ -185,10 +185,10 @@ def test_a_value_climbs_down_the_ladder_or_returns_from_it_and_another_is_typed(
     assert 'judge rejects: minus five; stored is 300' in view.text and (below.name, below.text) == ('speed', '900')
     # With the type that `ros2 param set` would give it.
     choose(view, 'fast')
-    assert 'an exception at pre-set callbacks, and the caller gets no answer' in view.text and below.said == ''
+    assert 'an exception at pre-set callbacks, and the caller gets no answer' in view.text and below.problem == ''
     ros.remove(robot)
     before = view.text
-    assert '/robot' in choose(view, '7').said and view.text == before
+    assert '/robot' in choose(view, '7').problem and view.text == before
     with pytest.raises(NodeNotFoundError, match='/nobody'):
         views.LadderView('nobody', 'speed', 1)
 
@@ -210,10 +210,10 @@ def test_sources_are_put_into_another_order_and_a_node_is_started_with_them(ros)
     assert 'speed = 500, from robot:speed:=500' in view.text
     below = choose(view, ['robot:speed:=500', 'speed:=400'])
     assert ParameterClient('/robot').get_parameter('speed') == 400
-    assert below.told == view.text and view.text.endswith('speed = 400, from speed:=400.')
+    assert below.outcome == view.text and view.text.endswith('speed = 400, from speed:=400.')
     param_tutorial.stop()
     choose(view, ['speed:=400', 'robot:speed:=500'])
-    assert 'start()' in below.said and below.items == ['robot:speed:=500', 'speed:=400'] and below.answered == 2
+    assert 'start()' in below.problem and below.items == ['robot:speed:=500', 'speed:=400'] and below.answered == 2
     assert len(views.LayersView('speed', [('default', 100), ('file', 2)]).children) == len(view.children) - 1
 
 
@@ -243,12 +243,12 @@ def test_a_listener_gets_the_message_as_the_qos_allows_that_is_chosen_for_it(ros
     below = choose(view, ['/ears', 'durability', 'volatile'])
     assert below.things['/ears'] == {'reliability': 'reliable', 'durability': 'volatile'}
     wait_until(lambda: ears.heard == ['speed'], 'the message to arrive')
-    assert '/ears (asks for reliable, volatile)' in below.told == view.text
+    assert '/ears (asks for reliable, volatile)' in below.outcome == view.text
     # The node has the new subscription wherever it had the old one, and no other.
     assert list(ears.subscriptions) == [ears.ears]
     choose(view, ['/ears', 'durability', 'transient local'])
     assert '/ears (asks for reliable, transient local) subscribes and' in view.text and ears.heard == ['speed']
-    assert '/nobody' in choose(view, ['/nobody', 'durability', 'volatile']).said
+    assert '/nobody' in choose(view, ['/nobody', 'durability', 'volatile']).problem
 
 
 def test_a_rejected_value_sends_no_message(robot):
@@ -272,7 +272,7 @@ def test_requests_are_put_into_another_order_and_sent_again_from_the_same_beginn
     below = choose(view, ['high_c', 'low_c'])
     assert repr(view) == '<RequestsView: one by one: 2 of 2 accepted; as one: 2 of 2 accepted.>'
     assert 'one by one, high_c = 40 is accepted' in view.text and 'low_c is -5. as one' in view.text
-    assert (below.items, below.told) == (['high_c', 'low_c'], view.text) and client.get_parameter('low_c') == -5
+    assert (below.items, below.outcome) == (['high_c', 'low_c'], view.text) and client.get_parameter('low_c') == -5
 
 
 def test_what_fits_no_message_or_no_parameter_is_shown_as_rejected_beside_a_world_that_takes_everything(weather):

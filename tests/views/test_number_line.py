@@ -50,7 +50,7 @@ def test_it_shows_what_is_asked_for_in_code_or_typed_below_it(robot, client):
     *_, below = view.children
     below._handle_custom_msg({'chosen': '50'}, [])
     shows(view, 'opening = 50 is stored.')
-    assert below.told == 'opening = 50 is stored.'
+    assert below.outcome == 'opening = 50 is stored.'
 
 
 def test_a_locked_number_one_without_limits_and_none_at_all(robot, client):

@@ -4,12 +4,6 @@ import pytest
 
 from param_tutorial.views.drawing import ros1
 from param_tutorial.views.drawing.ros1 import Step
-from tests.support.paths import ROOT
-
-
-@pytest.mark.parametrize('file', ['pyproject.toml', 'param_tutorial/setup.py'])
-def test_the_recording_is_installed(file):
-    assert f'views/drawing/{ros1.RECORDING.name}' in (ROOT / file).read_text()
 
 
 def test_a_step_has_lines_and_its_answer_too():

@@ -39,20 +39,20 @@ class CallsView(PictureView):
         if service not in _REQUEST_FIELDS:
             raise ValueError(f'a CallsView calls {", ".join(_REQUEST_FIELDS)}, not {service!r}')
         name, field = full_name(node), _REQUEST_FIELDS[service]
-        told = tuple(f'{each} = {values.format_value(value, 24)}' for each, value in carries.items()) \
+        lines = tuple(f'{each} = {values.format_value(value, 24)}' for each, value in carries.items()) \
             if isinstance(carries, Mapping) else tuple(carries)
         content = [to_message(each, values.normalize(value)) for each, value in carries.items()] \
-            if isinstance(carries, Mapping) else list(told)
+            if isinstance(carries, Mapping) else list(lines)
         services = stage.current().services
         try:
             answer = services.call(name, service, SERVICE_TYPES[service].Request(**{field: content}),
                                    timeout_sec=self._timeout_sec)
         except NodeNotFoundError as error:
-            self._add(Call(name, service, told, problem=str(error), is_delivered=False))
+            self._add(Call(name, service, lines, problem=str(error), is_delivered=False))
         except NodeError as error:
-            self._add(Call(name, service, told, problem=str(error)))
+            self._add(Call(name, service, lines, problem=str(error)))
         else:
-            self._add(Call(name, service, told, tuple(_lines_of(answer, name, carries))))
+            self._add(Call(name, service, lines, tuple(_lines_of(answer, name, carries))))
 
     def _add(self, call: Call) -> None:
         self._calls.append(call)

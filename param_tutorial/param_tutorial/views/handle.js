@@ -21,16 +21,16 @@ export function ask({model, el}, chosen) {
 export function attach({model, el}, line, draw) {
   line.classList.add('motion-handle');
   // A screen reader hears what changes in these two; what came of it, the picture shows to everybody else.
-  const said = make('span');
-  const told = make('span', {className: 'motion-told'});
-  for (const each of [said, told]) each.setAttribute('role', 'status');
-  line.append(said, told);
+  const problem = make('span');
+  const outcome = make('span', {className: 'motion-outcome'});
+  for (const each of [problem, outcome]) each.setAttribute('role', 'status');
+  line.append(problem, outcome);
   // JupyterLab has meanings of its own for keys.
   line.addEventListener('keydown', event => event.stopPropagation());
   el.append(line);
   const show = () => {
-    said.textContent = model.get('said');
-    told.textContent = model.get('told');
+    problem.textContent = model.get('problem');
+    outcome.textContent = model.get('outcome');
     draw?.();
   };
   show();

@@ -16,9 +16,9 @@ class Handle(Front):
     """Sends what a reader chooses to the kernel, which asks the node; the picture above shows what came of it."""
 
     _css = sheet('param_tutorial/views/handle.css')
-    said = traitlets.Unicode().tag(sync=True)
+    problem = traitlets.Unicode().tag(sync=True)
     """Why the node could not be asked; empty if it was."""
-    told = traitlets.Unicode().tag(sync=True)
+    outcome = traitlets.Unicode().tag(sync=True)
     """What came of it, for screen readers: everybody else sees the picture."""
 
     answered = traitlets.Int().tag(sync=True)
@@ -38,11 +38,11 @@ class Handle(Front):
         return self._ask(chosen)
 
     def _on_message(self, _widget: object, content: dict[str, Any], _buffers: object) -> None:
-        self.said = ''
+        self.problem = ''
         try:
-            self.told = self._answer(content['chosen'])
+            self.outcome = self._answer(content['chosen'])
         except ParameterToolError as error:
-            self.said = f'{describe_error(error)}.'
+            self.problem = f'{describe_error(error)}.'
         finally:
             self.answered += 1
 
@@ -68,9 +68,9 @@ class Ordering(Handle):
     """The names of the things, each once, in the order in which the node was asked last."""
 
     def _answer(self, chosen: list[str]) -> str:
-        told = super()._answer(chosen)
+        outcome = super()._answer(chosen)
         self.items = chosen
-        return told
+        return outcome
 
 
 class Choosing(Handle):

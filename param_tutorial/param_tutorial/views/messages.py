@@ -56,7 +56,7 @@ class MessageView(PictureView):
             if event.node == sender and self._name in {each.name for each in changes}:
                 heard.append(changes)
 
-        tells, offers, listens = ends_of_parameter_events(ros.tool_node)
+        publishers, offers, subscribers = ends_of_parameter_events(ros.tool_node)
         stop_listening = ros.on_parameter_event(hear)
         try:
             self._result = self._client.set_parameter(self._name, self._value)
@@ -64,12 +64,12 @@ class MessageView(PictureView):
                 wait_until(lambda: heard, 'the message on /parameter_events')
         finally:
             stop_listening()
-        told = [f'{each.kind} {each.name}' + ('' if each.kind == 'deleted'
-                                              else f' = {values.format_value(each.value, 40)}')
-                for each in (heard[0] if heard else ())]
+        content = [f'{each.kind} {each.name}' + ('' if each.kind == 'deleted'
+                                                 else f' = {values.format_value(each.value, 40)}')
+                   for each in (heard[0] if heard else ())]
         self._choosing.things = {name: qos_words(each.qos_profile)
                                  for name, (_, each) in sorted(subscriptions(ros).items())}
-        return draw_messages(tells, listens, sender if told else '', told, offers=offers)
+        return draw_messages(publishers, subscribers, sender if content else '', content, offers=offers)
 
     def _subscribe_again(self, chosen: tuple[str, str, str]) -> str:
         name, policy, word = chosen

@@ -14,7 +14,7 @@ from param_tools.panel.view import FollowingView, no_op
 from param_tools.ros.executor import BackgroundExecutor
 from param_tutorial.views.base import AnimatedView, name_of
 from param_tutorial.views.drawing.diagram import head
-from param_tutorial.views.drawing.number_line import Request, Scale, draw_number_line
+from param_tutorial.views.drawing.number_line import Attempt, Scale, draw_number_line
 from param_tutorial.views.handle import Asking
 from param_tutorial.views.set_recorder import RecordedSet, follow_sets, record_set
 
@@ -122,7 +122,7 @@ class NumberLineView(AnimatedView, FollowingView):
         before = shown[1] if shown else None
         request = None
         if record is not None and (shown is None or record is not shown[2]):
-            request = Request(record.value if _is_number(record.value) else None, values.format_value(record.value),
+            request = Attempt(record.value if _is_number(record.value) else None, values.format_value(record.value),
                               record.objection)
         asked = None if request is None else request.value
         scale = Scale.around(*(each for each in (stored, before, asked) if each is not None))

@@ -10,7 +10,7 @@ from param_tools import values
 from param_tools.errors import InvalidValueError, ParameterNotDeclaredError
 from param_tools.node.client import ParameterClient, SetResult
 from param_tutorial.views.base import PictureView
-from param_tutorial.views.drawing.requests import Request, Side, draw_requests
+from param_tutorial.views.drawing.requests import SentValue, Side, draw_requests
 from param_tutorial.views.handle import Ordering
 
 
@@ -34,9 +34,9 @@ class _Way:
 
     def send(self) -> Side:
         """Send the requests, and return what came of them."""
-        told = _sent_as_one(self.client, dict(self.pairs)) if self.is_one \
+        sent = _sent_as_one(self.client, dict(self.pairs)) if self.is_one \
             else [_sent(self.client, *pair) for pair in self.pairs]
-        return Side(self.title, self.client.node, _formatted(self.before), told, is_one=self.is_one, note=self.note())
+        return Side(self.title, self.client.node, _formatted(self.before), sent, is_one=self.is_one, note=self.note())
 
 
 class RequestsView(PictureView):
@@ -85,9 +85,9 @@ class RequestsView(PictureView):
         :param requests: Names and values.
         :param server: Who keeps the values for the node.
         """
-        told = [Request(name, shown, shown) for name, shown in
+        sent = [SentValue(name, shown, shown) for name, shown in
                 ((name, values.format_value(value)) for name, value in requests)]
-        self._add(Side(title, node, _formatted(has), told, server=server))
+        self._add(Side(title, node, _formatted(has), sent, server=server))
 
     def conclude(self, note: str | Callable[[], str]) -> None:
         """Say below the last side what it comes to.
@@ -126,18 +126,18 @@ def _formatted(has: Mapping[str, Any]) -> dict[str, str]:
     return {name: values.format_value(value) for name, value in has.items()}
 
 
-def _sent(client: ParameterClient, name: str, value: Any) -> Request:
+def _sent(client: ParameterClient, name: str, value: Any) -> SentValue:
     try:
         objection = _objection(client.set_parameter(name, value))
     except InvalidValueError:
         # It fits no message, so it never leaves.
         objection = 'no type for it'
-    return Request(name, values.format_value(value), _stored(client, name), objection)
+    return SentValue(name, values.format_value(value), _stored(client, name), objection)
 
 
-def _sent_as_one(client: ParameterClient, wanted: Mapping[str, Any]) -> list[Request]:
+def _sent_as_one(client: ParameterClient, wanted: Mapping[str, Any]) -> list[SentValue]:
     results = client.set_parameters_atomically(dict(wanted))
-    return [Request(each.name, values.format_value(each.value), _stored(client, each.name), _objection(each))
+    return [SentValue(each.name, values.format_value(each.value), _stored(client, each.name), _objection(each))
             for each in results]
 
 

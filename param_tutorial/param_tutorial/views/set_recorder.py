@@ -181,42 +181,42 @@ class _Record:
         """The value that the node has now; None if there is no such parameter, or it has no value."""
         return self._node.get_parameter_or(self._name).value if self._node.has_parameter(self._name) else None
 
-    def note(self, what: str, told: str, **others: str) -> None:
+    def note(self, what: str, happened: str, **others: str) -> None:
         """Write down a step, and what is stored in this moment."""
         stored = values.format_value(self.stored) if self._node.has_parameter(self._name) else 'nothing'
-        self.steps.append(Step(what, told, stored, **others))
+        self.steps.append(Step(what, happened, stored, **others))
 
     def call(self, kind: str, callback: rclpy_private.ParameterCallback, parameters: list[Parameter]) -> Any:
         """Call a callback, and write down what it sees and what comes of it."""
         index, who = len(self.steps), _name(callback)
-        told = f'{who} sees {self._format_parameters(parameters)}'
+        happened = f'{who} sees {self._format_parameters(parameters)}'
         proposed, objection = self._proposed(parameters), ''
-        self.note(kind, told, who=who)
+        self.note(kind, happened, who=who)
         try:
             answer = callback(parameters)
         except BaseException as error:
             objection = f'raises {type(error).__name__}'
-            told += f', {objection}'
+            happened += f', {objection}'
             raise
         else:
             if kind == 'pre-set':
-                told += f', gives {self._format_parameters(answer)}'
+                happened += f', gives {self._format_parameters(answer)}'
                 proposed, objection = self._proposed(answer), 'gives nothing' if answer == [] else ''
             elif kind == 'on-set':
                 accepts = getattr(answer, 'successful', False)
-                told += ', accepts' if accepts else ', rejects'
+                happened += ', accepts' if accepts else ', rejects'
                 objection = '' if accepts else getattr(answer, 'reason', '') or 'no reason given'
             return answer
         finally:
             # What is stored is that of the moment when the callback began.
-            self.steps[index] = replace(self.steps[index], happened=told, proposed=proposed, objection=objection)
+            self.steps[index] = replace(self.steps[index], happened=happened, proposed=proposed, objection=objection)
 
     def publish(self, publish: Callable[[ParameterEvent], None], event: ParameterEvent) -> None:
         """Publish an event; rclpy does so as soon as the value is stored."""
-        told = ', '.join(f'{name} = {values.format_value(value)}' for name, value in changes(event).items())
+        happened = ', '.join(f'{name} = {values.format_value(value)}' for name, value in changes(event).items())
         self.note('stored', 'the value is written')
         publish(event)
-        self.note('event', told, goes_to='everybody')
+        self.note('event', happened, goes_to='everybody')
 
     def _proposed(self, parameters: object) -> str:
         """Return the value of the parameter in a list as text; empty if it is not in there."""

@@ -52,8 +52,8 @@ class Call:
         if self.problem:
             return f'{self.node} gets the request {self.service}, and no answer comes.'
         rejected = sum(each.accepted is False for each in self.answer)
-        told = f', {rejected} of {len(self.answer)} rejected' if rejected else ''
-        return f'{self.node} answers {self.service}{told}.'
+        rejections = f', {rejected} of {len(self.answer)} rejected' if rejected else ''
+        return f'{self.node} answers {self.service}{rejections}.'
 
     @property
     def why(self) -> str:

@@ -25,9 +25,9 @@ def draw_checks(node: str, requests: Iterable[tuple[str, str, str]]) -> Diagram:
     """
     requests = list(requests)
     stored = sum(_PASSED[kind] == len(_GATES) for _, _, kind in requests)
-    told = '. '.join(_told(*request) for request in requests)
+    outcomes = '. '.join(_outcome(*request) for request in requests)
     diagram = Diagram(node, f'{stored} of {len(requests)} get through all checks.',
-                      f'Checks in their order: {", ".join(_GATES)}. {told}.',
+                      f'Checks in their order: {", ".join(_GATES)}. {outcomes}.',
                       _HEAD + len(requests) * _ROW + _BOTTOM, width=748)
     for number, title in enumerate(_GATES):
         diagram.add(svg.paragraph(_gate_x(number), 27, textwrap.wrap(title, 9), 'bold'),
@@ -40,7 +40,7 @@ def draw_checks(node: str, requests: Iterable[tuple[str, str, str]]) -> Diagram:
     return diagram
 
 
-def _told(name: str, value: str, kind: str) -> str:
+def _outcome(name: str, value: str, kind: str) -> str:
     passed = list(_GATES)[:_PASSED[kind]]
     if len(passed) == len(_GATES):
         return f'{name} = {value} passes all checks and is stored'
@@ -53,8 +53,8 @@ def _add_request(diagram: Diagram, y: float, name: str, value: str, kind: str, b
     passed, leaves_sec = _PASSED[kind], begin_sec + _READ_SEC
     there_sec = leaves_sec + (passed + .2) * _GATE_SEC
     # The value travels; so the name alone will do where both are too long.
-    told = f'{name} = {value}' if len(f'{name} = {value}') <= _WORDS_LETTERS else svg.cut(name, _WORDS_LETTERS)
-    diagram.show(begin_sec, svg.words(_WORDS_X, y - 2, told, 'code', anchor='start'))
+    request = f'{name} = {value}' if len(f'{name} = {value}') <= _WORDS_LETTERS else svg.cut(name, _WORDS_LETTERS)
+    diagram.show(begin_sec, svg.words(_WORDS_X, y - 2, request, 'code', anchor='start'))
     diagram.show(there_sec, svg.words(_WORDS_X, y + 14, kind, 'small', anchor='start'))
     for number in range(passed):
         diagram.mark(True, _gate_x(number), y, leaves_sec + (number + .6) * _GATE_SEC)

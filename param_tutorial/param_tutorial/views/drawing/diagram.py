@@ -129,10 +129,10 @@ class Diagram:
         animation = _Animation(name)
         scene = animation.drawn(self._parts)
         # The sentence tells the end, so it appears at the end.
-        told = animation.style(Seen('', animation.duration_sec - _FADE_SEC)) if animation.keyframes else ''
+        sentence_style = animation.style(Seen('', animation.duration_sec - _FADE_SEC)) if animation.keyframes else ''
         again = '<button type="button" class="motion-again" tabindex="0">Play again</button>'
         moves = f'<style>{"".join(animation.keyframes)}</style>{again}' if animation.keyframes else ''
-        return (f'<div class="motion">{moves}{head(self.subject, self.sentence, told)}'
+        return (f'<div class="motion">{moves}{head(self.subject, self.sentence, sentence_style)}'
                 f'<div class="motion-scene" role="img" aria-label="{html.escape(self.text)}">'
                 f'<svg viewBox="0 0 {self.width} {round(self.height)}" aria-hidden="true">{scene}</svg></div></div>')
 

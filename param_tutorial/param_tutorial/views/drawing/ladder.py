@@ -46,14 +46,14 @@ def draw_ladder(node: str, name: str, steps: Sequence[Step], objection: str = ''
     rungs = list(_rungs(name, steps, objection))
     reached = [rung for rung in rungs if rung.mark != 'unreached']
     is_answered = steps[-1].what != 'no answer'
-    told = f'{name} = {svg.cut(rungs[0].value, 40)}'
+    request = f'{name} = {svg.cut(rungs[0].value, 40)}'
     if not is_answered:
-        sentence = f'{told}: an exception at {reached[-1].title}, and the caller gets no answer.'
+        sentence = f'{request}: an exception at {reached[-1].title}, and the caller gets no answer.'
     elif objection:
-        sentence = f'{told} is rejected at {reached[-1].title}.'
+        sentence = f'{request} is rejected at {reached[-1].title}.'
     else:
         stored = reached[-1].stored
-        sentence = f'{told} is accepted' + (f', and {stored} is stored.' if stored != rungs[0].value else '.')
+        sentence = f'{request} is accepted' + (f', and {stored} is stored.' if stored != rungs[0].value else '.')
     text = '. '.join(f'{number}, {rung.title}: {rung.words}; stored is {rung.stored}'
                      for number, rung in enumerate(reached, start=1))
     foot = _y(len(_RUNGS) - 1) + _ROW / 2
@@ -150,17 +150,17 @@ def _rungs(name: str, steps: Sequence[Step], objection: str) -> Iterator[_Rung]:
 
 def _calls(steps: Sequence[Step]) -> str:
     """Return in words what the callbacks of one rung said."""
-    told = []
+    parts = []
     for step in steps:
         if step.objection.startswith('raises '):
-            told.append(f'{step.who} {step.objection}')
+            parts.append(f'{step.who} {step.objection}')
         elif step.objection:
-            told.append(f'{step.who} rejects: {step.objection}')
+            parts.append(f'{step.who} rejects: {step.objection}')
         elif step.what == 'on-set':
-            told.append(f'{step.who} accepts')
+            parts.append(f'{step.who} accepts')
         elif step.what == 'pre-set':
-            told.append(f'{step.who} gives {svg.cut(step.proposed, 20)}' if step.proposed else step.happened)
+            parts.append(f'{step.who} gives {svg.cut(step.proposed, 20)}' if step.proposed else step.happened)
         else:
-            told.append(f'{step.who} acts on {svg.cut(step.proposed, 20)}')
-    return '; '.join(told) or 'there is none'
+            parts.append(f'{step.who} acts on {svg.cut(step.proposed, 20)}')
+    return '; '.join(parts) or 'there is none'
 

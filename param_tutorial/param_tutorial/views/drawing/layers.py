@@ -14,7 +14,7 @@ _BEGIN_SEC, _EACH_SEC, _FALL_SEC = 0.4, 1.1, 0.5
 
 @dataclass(frozen=True)
 class _Entry:
-    """What one source says."""
+    """The value that one source (default, file, override) gives to the parameter."""
 
     source: str
     value: str
@@ -36,10 +36,10 @@ def draw_layers(name: str, sources: Iterable[tuple[str, Any] | tuple[str, str, A
         entry = _Entry(str(source), repr(value), _BEGIN_SEC + number * _EACH_SEC)
         layers.setdefault(into[0] if into else entry.source, []).append(entry)
     top = list(layers.values())[-1][-1]
-    told = top.value if has is ... else repr(has)
-    is_explained = told == top.value
-    sentence = f'{name} = {told}, from {top.source}.' if is_explained else \
-        f'The node has {name} = {told}, which these layers do not explain.'
+    in_node = top.value if has is ... else repr(has)
+    is_explained = in_node == top.value
+    sentence = f'{name} = {in_node}, from {top.source}.' if is_explained else \
+        f'The node has {name} = {in_node}, which these layers do not explain.'
     lines = [_title(layer, entries) + ': ' * bool(_title(layer, entries))
              + ', then '.join(entry.words(' ') for entry in entries) for layer, entries in layers.items()]
     diagram = Diagram(name, sentence, f'Layers of {name}, from the top: {"; ".join(reversed(lines))}. {sentence}',
@@ -55,7 +55,7 @@ def draw_layers(name: str, sources: Iterable[tuple[str, Any] | tuple[str, str, A
     # From above you see the top layer only.
     diagram.show(end_sec, svg.path(f'M{_EYE_X - 20} {_EYE_Y}q20 -18 40 0q-20 18 -40 0z'),
                  svg.circle(_EYE_X, _EYE_Y, 6), svg.path(f'M{_EYE_X} {_EYE_Y + 16}V{_TOP - 4}', 'dashed'),
-                 svg.words(_EYE_X + 36, _EYE_Y + 5, f'the node has {svg.cut(told, 30)}', 'big', anchor='start'))
+                 svg.words(_EYE_X + 36, _EYE_Y + 5, f'the node has {svg.cut(in_node, 30)}', 'big', anchor='start'))
     return diagram
 
 

@@ -28,10 +28,10 @@ def draw_lifts(heights: Mapping[str, Points], marks: Mapping[float, str]) -> Dia
     most = max(height for points in heights.values() for _, height in points) or 1.0
     ends = ', '.join(f'{name} at {points[-1][1]:.2f} m' for name, points in heights.items())
     sentence = f'After {end:g} s: {ends}.'
-    told = [f'{name} rises: ' + ', '.join(f'{height:.2f} m at {at:g} s' for at, height in points) + '.'
-            for name, points in heights.items()]
-    told += [f'At {at:g} s: {words}.' for at, words in marks.items()]
-    diagram = Diagram(' and '.join(heights), sentence, ' '.join(['Lifts beside each other.', *told, sentence]),
+    lines = [f'{name} rises: ' + ', '.join(f'{height:.2f} m at {at:g} s' for at, height in points) + '.'
+             for name, points in heights.items()]
+    lines += [f'At {at:g} s: {words}.' for at, words in marks.items()]
+    diagram = Diagram(' and '.join(heights), sentence, ' '.join(['Lifts beside each other.', *lines, sentence]),
                       _FOOT + _BOTTOM)
     step = next(each for each in (.01, .02, .05, .1, .2, .5, 1, 2, 5, 10, 20, 50, 100, 1e9) if most / each <= 7)
     for number in range(int(most / step + 1e-6) + 1):

@@ -25,21 +25,21 @@ class Listener:
     """Why it gets nothing; empty if messages reach it."""
 
 
-def draw_messages(tells: Sequence[str], listens: Mapping[str, Listener], sender: str = '', changes: Sequence[str] = (),
-                  *, offers: str = '') -> Diagram:
+def draw_messages(publishers: Sequence[str], subscribers: Mapping[str, Listener], sender: str = '',
+                  changes: Sequence[str] = (), *, offers: str = '') -> Diagram:
     """Draw who publishes on /parameter_events and who subscribes to it; at rest each listener has the message.
 
-    :param tells: Nodes that publish.
-    :param listens: Nodes that subscribe.
+    :param publishers: Nodes that publish.
+    :param subscribers: Nodes that subscribe.
     :param sender: The node whose message travels; empty for none.
     :param changes: What the message says, e.g. ``['changed speed = 2']``.
     :param offers: The QoS that the publishers offer.
     """
-    tells, listens = sorted({*tells, *([sender] if sender else [])}), dict(sorted(listens.items()))
-    height = max(len(tells), len(listens), 2) * _ROW
-    sentence = _sentence(listens, sender)
+    publishers, subscribers = sorted({*publishers, *([sender] if sender else [])}), dict(sorted(subscribers.items()))
+    height = max(len(publishers), len(subscribers), 2) * _ROW
+    sentence = _sentence(subscribers, sender)
     says = f' It says: {"; ".join(changes)}.' if sender else ''
-    diagram = Diagram('/parameter_events', sentence, f'{_text(tells, listens, offers)}. {sentence}{says}',
+    diagram = Diagram('/parameter_events', sentence, f'{_text(publishers, subscribers, offers)}. {sentence}{says}',
                       _TOP + height + _BOTTOM)
     topic_x, topic_y = _TOPIC_X + _TOPIC_WIDTH / 2, _TOP + height / 2
     diagram.add(svg.box(_TOPIC_X, _TOP, _TOPIC_WIDTH, height, rounding=22),
@@ -48,46 +48,46 @@ def draw_messages(tells: Sequence[str], listens: Mapping[str, Listener], sender:
                 svg.words(_LISTENERS_X + _BOX_WIDTH / 2, 24, 'subscribe', 'bold'),
                 svg.words(topic_x, topic_y - 26, '/parameter_events', 'small'),
                 svg.words(topic_x, topic_y + 38, 'a topic', 'faint'))
-    senders = _column(tells, height)
+    senders = _column(publishers, height)
     for name, y in senders.items():
         diagram.add(svg.arrow(_SENDERS_EDGE + 2, y, _TOPIC_X - 3, y, 'line' if name == sender else 'thin'),
                     svg.named_box(_SENDERS_X, y - _SENDER_BOX / 2, _BOX_WIDTH, _SENDER_BOX, name,
                                   kind='token' if name == sender else 'blank'))
-    for name, y in _column(listens, height).items():
-        _add_listener(diagram, name, listens[name], y, is_sent=bool(sender))
+    for name, y in _column(subscribers, height).items():
+        _add_listener(diagram, name, subscribers[name], y, is_sent=bool(sender))
     if not sender:
         return diagram
-    told = svg.cut('; '.join(changes), 92)
+    content = svg.cut('; '.join(changes), 92)
     y, there = senders[sender], (topic_x, topic_y)
-    diagram.add(svg.words(14, diagram.height - 13, f'the message: {told}', 'bold', anchor='start'),
+    diagram.add(svg.words(14, diagram.height - 13, f'the message: {content}', 'bold', anchor='start'),
                 Moving(_ENVELOPE, goes=True, stops=[
                     (_LEAVE_SEC, _SENDERS_EDGE, y), (_LEAVE_SEC + .7 * _TO_TOPIC_SEC, _TOPIC_X, y),
                     (_AT_SEC, *there), (_ON_SEC, *there)]))
-    for name, y in _column(listens, height).items():
-        if not listens[name].problem:
+    for name, y in _column(subscribers, height).items():
+        if not subscribers[name].problem:
             diagram.add(Moving(_ENVELOPE, from_sec=_ON_SEC, stops=[
                 (_ON_SEC, *there), (_ON_SEC + .4 * _TO_EARS_SEC, _TOPIC_EDGE, y),
                 (_ON_SEC + _TO_EARS_SEC, _LISTENERS_X - 4, y)]))
     return diagram
 
 
-def _sentence(listens: Mapping[str, Listener], sender: str) -> str:
+def _sentence(subscribers: Mapping[str, Listener], sender: str) -> str:
     if not sender:
         return 'Nothing has changed yet.'
-    got = sum(not each.problem for each in listens.values())
+    got = sum(not each.problem for each in subscribers.values())
     return f'A message from {sender} goes to {got or "no"} listener{"" if got == 1 else "s"}.'
 
 
-def _text(tells: Iterable[str], listens: Mapping[str, Listener], offers: str) -> str:
+def _text(publishers: Iterable[str], subscribers: Mapping[str, Listener], offers: str) -> str:
     """Return in words who publishes and who subscribes."""
     offer = f' (they offer {offers})' if offers else ''
-    asks = {name: f'{name} (asks for {each.asks})' for name, each in listens.items()}
-    reached = [asks[name] for name, each in listens.items() if not each.problem]
+    asks = {name: f'{name} (asks for {each.asks})' for name, each in subscribers.items()}
+    reached = [asks[name] for name, each in subscribers.items() if not each.problem]
     return '; '.join([
-        f'Publish on /parameter_events{offer}: {", ".join(tells) or "nobody"}',
+        f'Publish on /parameter_events{offer}: {", ".join(publishers) or "nobody"}',
         f'subscribe to it: {", ".join(reached) or "nobody"}',
         *(f'{asks[name]} subscribes and gets nothing: {each.problem}'
-          for name, each in listens.items() if each.problem)])
+          for name, each in subscribers.items() if each.problem)])
 
 
 def _add_listener(diagram: Diagram, name: str, listener: Listener, y: float, *, is_sent: bool) -> None:

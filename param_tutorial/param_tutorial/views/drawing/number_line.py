@@ -71,7 +71,7 @@ class Scale:
 
 
 @dataclass(frozen=True)
-class Request:
+class Attempt:
     """What somebody asked for, and what the node said."""
 
     value: float | None
@@ -83,7 +83,7 @@ class Request:
 
 
 def draw_number_line(node: str, name: str, scale: Scale, stored: float, *, before: float | None = None,
-                     request: Request | None = None, is_locked: bool = False) -> Diagram:
+                     request: Attempt | None = None, is_locked: bool = False) -> Diagram:
     """Draw the values that one parameter may have; at rest you see the stored one, and the place of a rejected one.
 
     :param stored: What the node has.
@@ -145,7 +145,7 @@ def _words(text: str, kind: str) -> str:
                    for number, line in enumerate(svg.in_two_lines(text, _LINE_LETTERS)))
 
 
-def _add_accepted(diagram: Diagram, scale: Scale, stored: float, before: float, request: Request, *,
+def _add_accepted(diagram: Diagram, scale: Scale, stored: float, before: float, request: Attempt, *,
                   is_locked: bool) -> None:
     """Add the old pin, the new pin, and what was asked for, which a callback may have changed on the way."""
     stored_x, asks_sec = scale.x(stored), _GO_SEC + _PAUSE_SEC
@@ -158,7 +158,7 @@ def _add_accepted(diagram: Diagram, scale: Scale, stored: float, before: float, 
         (landed_sec, stored_x, _PIN_Y)]))
 
 
-def _add_rejected(diagram: Diagram, scale: Scale, stored: float, request: Request, *, is_locked: bool) -> None:
+def _add_rejected(diagram: Diagram, scale: Scale, stored: float, request: Attempt, *, is_locked: bool) -> None:
     """Add the pin, what was asked for, which bounces off the line, and the trace that it leaves."""
     stored_x, hit_sec = scale.x(stored), _GO_SEC + _PAUSE_SEC
     asked_x = stored_x if request.value is None else scale.x(request.value)

@@ -21,7 +21,7 @@ Step = tuple[str, Point, Point]
 
 @dataclass(frozen=True)
 class Way:
-    """Requests that follow each other."""
+    """A sequence of requests."""
 
     name: str
     start: Point
@@ -36,12 +36,12 @@ def draw_plane(names: Sequence[str], answers: Mapping[Point, bool], ways: Sequen
     """
     taken = f'The node takes {sum(answers.values())} of {len(answers)} pairs.'
     ends = '; '.join(f'{way.name}: ends at {_pair(way.steps[-1][2])}' for way in ways)
-    told = [f'{way.name}, from {_pair(way.start)}: '
-            + ', '.join(f'{words} {"is accepted" if wanted == had else "is rejected"}, now {_pair(had)}'
-                        for words, wanted, had in way.steps) + '.' for way in ways]
+    lines = [f'{way.name}, from {_pair(way.start)}: '
+             + ', '.join(f'{words} {"is accepted" if wanted == had else "is rejected"}, now {_pair(had)}'
+                         for words, wanted, had in way.steps) + '.' for way in ways]
     words_height = sum(_HEADING + _STEP * len(way.steps) for way in ways)
     diagram = Diagram(' and '.join(names), f'{ends}.' if ways else taken,
-                      ' '.join([f'{names[0]} to the right and {names[1]} upward.', taken, *told]),
+                      ' '.join([f'{names[0]} to the right and {names[1]} upward.', taken, *lines]),
                       max(_FOOT + _BOTTOM, _TOP + words_height + 36))
     points = [*answers]
     for way in ways:
@@ -75,19 +75,19 @@ def _add_axes(diagram: Diagram, names: Sequence[str], points: Iterable[Point], a
         diagram.add(svg.path(f'M{_LEFT} {y:.1f}h-4'), svg.words(_LEFT - 8, y + 4.5, f'{value:g}', anchor='end'))
     diagram.add(svg.words(_LEFT + _SIDE / 2, _FOOT + 40, f'{names[0]} →', 'bold'),
                 svg.words(_LEFT, _TOP - 12, f'↑ {names[1]}', 'bold'))
-    for below, is_taken, told in ((-22, True, 'the node takes this pair'), (-2, False, 'the node rejects it')):
+    for below, is_taken, words in ((-22, True, 'the node takes this pair'), (-2, False, 'the node rejects it')):
         diagram.add(_mark(_WORDS_X + 10, _FOOT + below - 4, is_taken),
-                    svg.words(_WORDS_X + 30, _FOOT + below, told, anchor='start'))
+                    svg.words(_WORDS_X + 30, _FOOT + below, words, anchor='start'))
 
 
 def _add_way(diagram: Diagram, way: Way, begin_sec: float, y: float, at: Callable[[Point], Point], *,
              is_first: bool) -> None:
-    """Add a way: what is asked, where its arrows go, and a marker that comes with it and goes it."""
+    """Add one sequence of requests: its label, an arrow for each request, and a marker that moves along them."""
     kind = 'dashed' if is_first else 'thick'
     diagram.show(begin_sec - .2, svg.path(f'M{_WORDS_X} {y - 4}h34', kind),
                  svg.words(_WORDS_X + 44, y + 1, way.name, 'big', anchor='start'))
     here, leaves_sec, stops = way.start, begin_sec + _STAY_SEC, []
-    for told, wanted, had in way.steps:
+    for words, wanted, had in way.steps:
         there_sec, is_taken = leaves_sec + _MOVE_SEC, wanted == had
         y += _STEP
         stops += [(leaves_sec, *at(here)), (there_sec, *at(wanted))]
@@ -97,7 +97,7 @@ def _add_way(diagram: Diagram, way: Way, begin_sec: float, y: float, at: Callabl
         diagram.show(there_sec - .15,
                      svg.arrow(*at(here), *at(wanted), kind) if is_taken else svg.cross(*at(wanted), 9),
                      svg.check(_WORDS_X + 10, y - 5) if is_taken else svg.cross(_WORDS_X + 10, y - 5),
-                     svg.words(_WORDS_X + 30, y, svg.cut(told, _LETTERS), 'code', anchor='start'),
+                     svg.words(_WORDS_X + 30, y, svg.cut(words, _LETTERS), 'code', anchor='start'),
                      svg.words(_WORDS_X + 30, y + 17, answer, 'small', anchor='start'))
         here, leaves_sec = had, there_sec + _STAY_SEC
     name = svg.words(0, -14 if is_first else 26, way.name, 'bold over')

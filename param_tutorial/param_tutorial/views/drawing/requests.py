@@ -14,7 +14,7 @@ _BEGIN_SEC, _STAY_SEC = 0.6, 0.6
 
 
 @dataclass(frozen=True)
-class Request:
+class SentValue:
     """A value for a parameter, and what came of it."""
 
     name: str
@@ -34,7 +34,7 @@ class Side:
     node: str
     before: Mapping[str, str]
     """What was kept at first, by name; also of what is not asked for on this side."""
-    requests: Sequence[Request]
+    requests: Sequence[SentValue]
     server: str = ''
     """Who keeps the values for the node; empty if it keeps them itself."""
     is_one: bool = False
@@ -56,12 +56,13 @@ class Side:
     @property
     def text(self) -> str:
         """The side in words."""
-        told = [f'{each.name} = {each.value} is ' + (f'rejected ({each.objection})' if each.objection else 'accepted')
-                + f', and {self.keeper} keeps {each.kept}' for each in self.requests]
+        outcomes = [f'{each.name} = {each.value} is '
+                    + (f'rejected ({each.objection})' if each.objection else 'accepted')
+                    + f', and {self.keeper} keeps {each.kept}' for each in self.requests]
         if self.server:
-            told.append(f'{self.node} gets {self.requests[-1].kept} from {self.server}')
+            outcomes.append(f'{self.node} gets {self.requests[-1].kept} from {self.server}')
         together = 'one request: ' if self.is_one else ''
-        return f'{self.title}, {together}{"; ".join([*told, *filter(None, [self.note])])}.'
+        return f'{self.title}, {together}{"; ".join([*outcomes, *filter(None, [self.note])])}.'
 
     def arrival_sec(self, number: int) -> float:
         """Return when a request has come to its keeper."""
@@ -74,14 +75,14 @@ def draw_requests(subject: str, sides: Sequence[Side]) -> Diagram:
 
     :param subject: What the picture is of; a parameter of that name is not named again in each request.
     """
-    told = [f'{side.title}: {sum(not each.objection for each in side.requests)} of {len(side.requests)} accepted'
-            for side in sides]
+    outcomes = [f'{side.title}: {sum(not each.objection for each in side.requests)} of {len(side.requests)} accepted'
+                for side in sides]
     # A parameter has the same row on both sides.
     keys = dict.fromkeys(key for side in sides for key in side.keys)
     rows = {key: _TITLE + _KEEPER_HEAD + (number + .5) * _ROW for number, key in enumerate(keys)}
     foot = _TITLE + _KEEPER_HEAD + len(rows) * _ROW
     all_foot = foot + (_NODE if any(side.server for side in sides) else 0)
-    diagram = Diagram(subject, f'{"; ".join(told)}.' if told else 'Nothing has been sent yet.',
+    diagram = Diagram(subject, f'{"; ".join(outcomes)}.' if outcomes else 'Nothing has been sent yet.',
                       ' '.join([f'{subject}.', *(side.text for side in sides)]),
                       all_foot + (_NOTE if any(side.note for side in sides) else _BOTTOM))
     for number, side in enumerate(sides):

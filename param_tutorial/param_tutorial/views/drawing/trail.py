@@ -50,9 +50,9 @@ class Moment:
     def text(self) -> str:
         """The moment in words."""
         parts = [f'{name} {value}' for name, value in self.values.items()]
-        told = [f'{move.rejected} bounces off {move.target} ({move.objection})' if move.rejected
-                else f'{self.values[move.target]} arrives at {move.target}' for move in self.moves]
-        return f'{self.words}: ' + '; '.join(filter(None, [', '.join(told), ', '.join(parts), self.note]))
+        moves = [f'{move.rejected} bounces off {move.target} ({move.objection})' if move.rejected
+                 else f'{self.values[move.target]} arrives at {move.target}' for move in self.moves]
+        return f'{self.words}: ' + '; '.join(filter(None, [', '.join(moves), ', '.join(parts), self.note]))
 
 
 def draw_trail(subject: str, places: Sequence[str], moments: Sequence[Moment]) -> Diagram:

@@ -64,10 +64,10 @@ def draw_worlds(name: str, worlds: Sequence[World]) -> Diagram:
 def _add_server(diagram: Diagram, world: World, left: float) -> None:
     """Add the server, with the value that the node below it has set."""
     value = world.values[world.killed]
-    told = svg.cut(f'{world.killed}/{diagram.subject} = {value}', _SERVER_LETTERS)
+    stored = svg.cut(f'{world.killed}/{diagram.subject} = {value}', _SERVER_LETTERS)
     diagram.add(svg.box(left, _TOP, _WORLD_WIDTH, _BOX),
                 svg.words(left + 12, _TOP + 22, f'{world.server}: keeps all values', 'bold', anchor='start'))
-    diagram.show(_SET_SEC + _TRAVEL_SEC - .2, svg.words(left + 12, _TOP + 46, told, 'code', anchor='start'))
+    diagram.show(_SET_SEC + _TRAVEL_SEC - .2, svg.words(left + 12, _TOP + 46, stored, 'code', anchor='start'))
 
 
 def _add_node(diagram: Diagram, world: World, node: str, value: str, left: float, top: float) -> None:
