@@ -53,12 +53,9 @@ with lazy.Imports(__name__) as _imports:
     from param_tools.systems.change_log import ChangeFollower as ChangeFollower
     from param_tools.systems.change_log import ChangeLog as ChangeLog
     from param_tools.systems.comparing import compare as compare
-    from param_tools.systems.comparing import compare_systems as compare_systems
     from param_tools.systems.describe import describe as describe
-    from param_tools.systems.restoring import preview as preview
     from param_tools.systems.restoring import restore as restore
     from param_tools.systems.sets import ParameterSet as ParameterSet
-    from param_tools.systems.snapshot import Snapshot as Snapshot
     from param_tools.systems.snapshot import all_parameters as all_parameters
 
 __version__ = '0.1.0'

@@ -44,8 +44,7 @@ def test_what_has_happened_is_told_and_brought_back(ros, log):
     stdout, stderr, status = run('history', log)
     assert re.search(r"/simple_param_node  robot_name  changed  'Berta' +'Carla'\n", stdout)
     assert (stderr, status) == ('', 0)
-    assert run('history', log, '/nobody')[0] == '0 changes\n'
-    first, second = ChangeLog.read(log).select(names='robot_name', kinds=['changed'])
+    first, second = (each for each in ChangeLog.read(log) if each.kind == 'changed')
     assert first.time < second.time
     ros.add(SimpleParamNode)
     stdout, _, status = run('restore', f'{log}@{first.time.isoformat()}')
@@ -61,18 +60,9 @@ def test_what_has_happened_is_told_and_brought_back(ros, log):
     assert status == 1
 
 
-def test_a_torn_log_is_read_and_the_line_is_named(write):
-    path = write('{"time": "2026-11-22T14:00:00+00:00", "kind": "changed", "node": "/a", "parameter": "x", '
-                 '"old": 1, "new": 2}\n{"time": "2026-11', 'changes.jsonl')
-    stdout, stderr, status = run('history', path)
-    assert stdout.startswith('1 change; unreadable: line 2\n')
-    assert stderr == f'{path}: line 2 cannot be read, and was passed over\n'
-    assert status == 0
-
-
 @pytest.mark.parametrize(('words', 'complaint'), [
     (['history', 'nowhere.jsonl'], 'cannot read nowhere.jsonl'),
-    (['history', 'FILE'], 'FILE, line 1: this is no log of parameter changes'),
+    (['history', 'FILE'], 'FILE: this is no log of parameter changes'),
     (['watch'], 'This would keep the cell busy'),
     (['watch', '--duration', '1', '--log', 'no/such/folder/x'], 'cannot write no/such/folder/x'),
     (['restore', 'FILE@soon'], 'this is no log'),

@@ -9,8 +9,9 @@ from hypothesis import given
 from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 
-from param_tools import ParameterSet, compare, compare_systems
+from param_tools import ParameterSet, compare
 from param_tools.errors import InvalidValueError, ParameterFileError
+from param_tools.systems.comparing import compare_systems
 from param_tutorial import ParameterClient
 from tests.files.test_parameter_files import NAMES
 from tests.support.strategies import VALUES

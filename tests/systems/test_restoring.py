@@ -1,4 +1,4 @@
-"""Values brought back: what restoring does, what it says where it cannot, and what a preview says before."""
+"""Values brought back: what restoring does, and what it says where it cannot."""
 
 import hypothesis
 import hypothesis.strategies as st
@@ -7,9 +7,9 @@ from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tools import ParameterSet, Rules, all_parameters, compare, preview, restore, values
+from param_tools import ParameterSet, Rules, all_parameters, compare, restore, values
 from param_tools.errors import NoAnswerError, NodeGoneError, NodeNotFoundError
-from param_tools.systems.restoring import MAY_BE_TAKEN, Outcome, Restored
+from param_tools.systems.restoring import Outcome, Restored
 from param_tutorial import ParameterClient
 from tests.support.nodes import Arm
 from tests.support.strategies import VALUES
@@ -64,8 +64,6 @@ def test_what_no_request_can_change_is_reported_and_the_rest_is_set(client):
     assert repr(restored).startswith('/robot from given values: NOT COMPLETE, 2 of 6 parameters set\n')
     assert client.get_parameters(['serial', 'speed', 'unset', 'low_c', 'numbers']) == {
         'serial': 'S1', 'speed': 100, 'unset': 1.5, 'low_c': 19, 'numbers': []}
-    passed_over = restore(client, {'serial': 'S2', 'speed': 7}, skip_read_only=True)
-    assert (passed_over.complete, [each.name for each in passed_over]) == (True, ['speed'])
 
 
 def test_one_rejection_leaves_everything_as_it_was(client):
@@ -120,32 +118,23 @@ def test_restoring_makes_equal_whatever_the_values(ros, first, second):
     assert all(values.same(ParameterSet.of('/open')[name], first[name]) for name in NAMES)
 
 
-def test_a_preview_says_what_restoring_would_do_and_does_nothing(ros):
+def test_a_rehearsal_says_what_restoring_would_do_and_does_nothing(ros):
     ros.add(Arm)
     before = all_parameters()
     wanted = {'joints': 9, 'reach': 5.0, 'gains.kp': 0.31, 'model': 'B2', 'tool': 3, 'nothing': 1, 'offset': 0.5}
-    expected = preview('/arm', wanted)
+    expected = restore('/arm', wanted, rehearse=True)
     assert {each.name: each.word for each in expected} == {
         'joints': 'would be set', 'reach': 'out of range', 'gains.kp': 'off the step', 'model': 'read only',
         'tool': 'wrong type', 'nothing': 'not declared'}
-    assert 'reach' in repr(expected)
+    assert repr(expected).startswith('/arm from given values: 1 of 6 parameters would be set\n')
+    assert not expected.complete
     assert all_parameters() == before
-    done = restore('/arm', wanted, one_by_one=True)
-    assert {each.name for each in done if each.word == 'set'} == {
-        each.name for each in expected if each.word == 'would be set'}
-
-
-def test_a_preview_does_not_claim_that_a_node_would_reject_what_it_has_not_declared(ros):
-    ros.add(Node, 'open', allow_undeclared_parameters=True)
-    row, = preview('/open', {'anything': 1})
-    assert (row.word, row.reason) == ('not declared', MAY_BE_TAKEN)
-    assert ParameterClient('/open').set_parameter('anything', 1).successful
 
 
 def test_what_became_of_many_nodes_is_one_table():
     unanswered = {'/left': NodeGoneError('/left', 'set_parameters'), '/right': NodeNotFoundError('/right', []),
                   '/lift': NoAnswerError('/lift', 'set_parameters', 1)}
-    done = [Outcome('a', 0, 1, 'set'), Outcome('b', 0, 2, 'rejected', 'too\nlarge')]
+    done = (Outcome('a', 1, 'set'), Outcome('b', 2, 'rejected', 'too\nlarge'))
     assert repr(Restored('monday.yaml', {'/arm': done}, unanswered)) == '''\
 4 nodes from monday.yaml: NOT COMPLETE, 1 of 2 parameters set, 3 without an answer
 

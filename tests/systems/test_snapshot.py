@@ -19,9 +19,9 @@ from param_tools.errors import (
     NoAnswerError,
     NodeError,
     NodeNotFoundError,
-    ParameterFileError,
     ParameterNotDeclaredError,
 )
+from param_tools.files.parameter_files import read_all
 from param_tools.node.client import ParameterValues
 from param_tools.systems.snapshot import Snapshot
 from tests.systems.test_comparing import SYSTEMS
@@ -137,38 +137,12 @@ def test_a_snapshot_comes_back_but_for_what_it_names(tmp_path, system):
     path = tmp_path / 'snapshot.yaml'
     dump = Snapshot({node: ParameterValues(each) for node, each in system.items()}, {}).dump()
     dump.save(path)
-    again = Snapshot.from_file(path)
+    again = read_all(path)
     assert list(again) == list(system)
     for node, parameters in system.items():
-        expected = {name: value for name, value in parameters.items() if f'{node}: {name}' not in dump.left_out
-                    or (name and values.is_empty_array(value) and '\0' not in name)}
+        expected = {name: value for name, value in parameters.items() if f'{node}: {name}' not in dump.left_out}
         assert again[node].keys() == expected.keys()
         assert all(values.same(again[node][name], value) for name, value in expected.items())
-
-
-def test_the_head_names_what_was_empty_and_a_value_written_since_counts(tmp_path):
-    path = tmp_path / 'snapshot.yaml'
-    dump = Snapshot({'/arm': ParameterValues({'texts': [], 'a': 1}), '/bare': ParameterValues({'x.y': []})}, {}).dump()
-    assert dump.left_out == {key: 'an empty array in a parameter file has no type; only restore and diff know it, from '
-                                  'the head of the snapshot' for key in ('/arm: texts', '/bare: x.y')}
-    dump.save(path)
-    assert Snapshot.from_file(path) == {'/arm': {'a': 1, 'texts': []}, '/bare': {'x.y': []}}
-    path.write_text(dump.text.replace('    a: 1', '    texts: [b]'))
-    assert Snapshot.from_file(path) == {'/arm': {'texts': ['b']}, '/bare': {'x.y': []}}
-    # A node whose block was taken out is not in it any more.
-    path.write_text(dump.text[:dump.text.index('/bare:')])
-    assert Snapshot.from_file(path) == {'/arm': {'a': 1, 'texts': []}}
-    # In a file that is none of ours, a comment is a comment.
-    path.write_text(dump.text.replace('# Snapshot of', '# A snapshot of'))
-    assert Snapshot.from_file(path) == {'/arm': {'a': 1}, '/bare': {}}
-
-
-@pytest.mark.parametrize('words', ['', '{', '[]', '{"/arm": "texts"}', '{"/arm": [1]}', '{"/arm": [""]}', '[' * 99999])
-def test_a_head_that_names_no_arrays_is_an_error(write, words):
-    path = write(f'# Snapshot of 1 node\n# Empty arrays: {words}\n/arm: {{ros__parameters: {{a: 1}}}}\n',
-                 'snapshot.yaml')
-    with pytest.raises(ParameterFileError, match='line 2: this comment must name the arrays that are empty, as in'):
-        Snapshot.from_file(path)
 
 
 @pytest.mark.parametrize('copied', [copy.copy, copy.deepcopy, lambda each: pickle.loads(pickle.dumps(each))],

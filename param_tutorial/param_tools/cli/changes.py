@@ -12,11 +12,11 @@ from param_tools.cli.system_arguments import full_name
 from param_tools.errors import ParameterToolError
 from param_tools.markup.wording import format_count
 from param_tools.ros.waiting import Steps
-from param_tools.systems.change_log import KINDS, ChangeFollower, ChangeLog, ChangeLogWriter, LoggedChange
+from param_tools.systems.change_log import ChangeFollower, ChangeLog, ChangeLogWriter, LoggedChange
 from param_tools.systems.snapshot import Snapshot
 
-# A log begins with the values that are there, which are no changes.
-_PRINTED = set(KINDS) - {'begin', 'seen'}
+# A log begins with the values that are there.
+_NO_CHANGES = 'begin', 'seen'
 
 
 def add_to(commands: Commands) -> None:
@@ -69,27 +69,23 @@ def _print(session: Session, what: list[LoggedChange] | ParameterToolError, writ
             writer.write(what)
         except OSError as error:
             raise CommandFailed(f'the log cannot be continued: {error.strerror}') from None
-    shown = [each for each in what if each.kind in _PRINTED]
     if what and what[0].kind == 'begin':
         nodes = len({each.node for each in what[1:]})
         session.print(f'Watching {format_count(len(what) - 1, "parameter")} of {format_count(nodes, "node")}')
-    for each in shown:
-        session.print(each)
+    for each in what:
+        if each.kind not in _NO_CHANGES:
+            session.print(each)
     session.stdout.flush()
 
 
 def _add_history_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('log', metavar='FILE', help='a log that `watch --log` has written')
-    parser.add_argument('nodes', nargs='*', metavar='NODE', help='name of a node (default: all nodes)')
     parser.set_defaults(verb=history)
 
 
 def history(session: Session, args: argparse.Namespace) -> None:
     """Print the changes of the past."""
-    log = ChangeLog.read(args.log)
-    if log.damaged:
-        session.complain(f'{args.log}: line {", ".join(map(str, log.damaged))} cannot be read, and was passed over')
-    session.print(log.select(nodes=map(full_name, args.nodes), kinds=_PRINTED))
+    session.print(ChangeLog.read(args.log).without(*_NO_CHANGES))
 
 
 def past(word: str) -> Snapshot | None:
@@ -101,10 +97,7 @@ def past(word: str) -> Snapshot | None:
     path, at, text = word.rpartition('@')
     if not at or not Path(path).is_file():
         return None
-    return _state(ChangeLog.read(path), path, text)
-
-
-def _state(log: ChangeLog, path: str, text: str) -> Snapshot:
+    log = ChangeLog.read(path)
     when = log.parse_time(text)
     if not log or when < log.records[0].time:
         raise CommandFailed(f'{path} does not reach back to {text}'

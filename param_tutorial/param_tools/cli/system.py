@@ -4,9 +4,8 @@ The exit status of ``diff`` is that of the Unix command: 0 if nothing differs, 1
 """
 
 import argparse
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 from param_tools.cli import system_arguments
@@ -15,8 +14,8 @@ from param_tools.cli.session import CommandFailed, Commands, Session, add_graph_
 from param_tools.errors import ParameterToolError
 from param_tools.files import parameter_files
 from param_tools.systems.comparing import compare_systems
-from param_tools.systems.restoring import Preview, preview_all, restore_all
-from param_tools.systems.snapshot import FIRST_WORDS, Snapshot, all_parameters, read_saved
+from param_tools.systems.restoring import restore_all
+from param_tools.systems.snapshot import FIRST_WORDS, Snapshot, all_parameters
 
 
 def add_to(commands: Commands) -> None:
@@ -82,7 +81,7 @@ def diff(session: Session, args: argparse.Namespace) -> int:
         before, after = _sides(session, args)
         for snapshot_side, other in ((before, after), (after, before)):
             if snapshot_side.is_snapshot:
-                _leave_out(session, snapshot_side, other)
+                other.nodes = {node: _expressible(parameters) for node, parameters in other.nodes.items()}
         if len(before.nodes) == len(after.nodes) == 1:
             # One node with another, whatever they are called.
             before.nodes = dict(zip(after.nodes, before.nodes.values()))
@@ -95,19 +94,10 @@ def diff(session: Session, args: argparse.Namespace) -> int:
     return 2 if before.lacking or after.lacking else 1 if found else 0
 
 
-def _leave_out(session: Session, saved: _Side, other: _Side) -> None:
-    """Remove parameters from the other side that no snapshot can hold, and say so: their absence is no difference."""
-    one_each = len(saved.nodes) == len(other.nodes) == 1
-    kept: dict[str, dict[str, Any]] = {}
-    for node, parameters in other.nodes.items():
-        kept[node] = dict(parameters)
-        held = next(iter(saved.nodes.values())) if one_each else saved.nodes.get(node, {})
-        for name, value in parameters.items():
-            reason = parameter_files.why_not_expressible(name, value)
-            if reason and name not in held:
-                session.complain(f'not compared: {node}: {name}: {reason}')
-                del kept[node][name]
-    other.nodes = kept
+def _expressible(parameters: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the parameters that a snapshot can hold: that it lacks the others is no difference."""
+    return {name: value for name, value in parameters.items()
+            if not parameter_files.why_not_expressible(name, value)}
 
 
 def _sides(session: Session, args: argparse.Namespace) -> tuple[_Side, _Side]:
@@ -115,7 +105,7 @@ def _sides(session: Session, args: argparse.Namespace) -> tuple[_Side, _Side]:
     sides = [None if system_arguments.is_file(word) else _running(session, word, args) for word in words]
     names = [node for side in sides if side for node in side.nodes]
     # A block for many nodes in one file is read for the nodes that the other file names.
-    names = names or [node for word in words for node in _named_in(word)]
+    names = names or [node for word in words for node in _in_file(word).nodes]
     before, after = (side or _in_file(word, names) for side, word in zip(sides, words))
     return before, after
 
@@ -127,16 +117,12 @@ def _running(session: Session, word: str, args: argparse.Namespace) -> _Side:
     return _Side(word, found, lacking=bool(found.unanswered))
 
 
-def _named_in(path: str) -> list[str]:
-    then = past(path)
-    return list(read_saved(path) if then is None else then)
-
-
-def _in_file(path: str, names: list[str]) -> _Side:
+def _in_file(path: str, names: Iterable[str] = ()) -> _Side:
     if (then := past(path)) is not None:
         return _Side(path, then)
-    is_snapshot = Path(path).read_text(encoding='utf-8', errors='replace').startswith(FIRST_WORDS)
-    return _Side(path, read_saved(path, names), partial=not is_snapshot, is_snapshot=is_snapshot)
+    found = parameter_files.read_all(path, names)
+    is_snapshot = parameter_files.read_bytes(path).startswith(FIRST_WORDS.encode())
+    return _Side(path, found, partial=not is_snapshot, is_snapshot=is_snapshot)
 
 
 # -- restore ------------------------------------------------------------------------------------------------
@@ -149,26 +135,21 @@ def _add_restore_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('nodes', nargs='*', metavar='NODE',
                         help='only these nodes (default: those that the file names)')
     parser.add_argument('--dry-run', action='store_true', help='only say what would be set')
-    parser.add_argument('--one-by-one', action='store_true',
-                        help='if a node rejects all together, try each parameter for itself')
     parser.set_defaults(verb=restore)
 
 
 def restore(session: Session, args: argparse.Namespace) -> int:
-    then = past(args.file)
-    wanted: Mapping[str, Mapping[str, Any]] = read_saved(args.file) if then is None else then
+    nodes = [node for word in args.nodes for node in system_arguments.nodes_of(session, word, args)]
+    given = past(args.file)
+    wanted: Mapping[str, Mapping[str, Any]] = parameter_files.read_all(args.file, nodes) if given is None else given
     if args.nodes:
-        nodes = [node for word in args.nodes for node in system_arguments.nodes_of(session, word, args)]
-        given = wanted if then is not None else read_saved(args.file, nodes)
-        wanted = {node: given[node] for node in nodes if node in given}
+        wanted = {node: wanted[node] for node in nodes if node in wanted}
     if not wanted:
         raise CommandFailed(f'{args.file} holds nothing for these nodes' if args.nodes else
                             f'{args.file} names no node: say for which nodes it is')
     session.wait_for_graph(args)
-    graph = {'timeout_sec': args.timeout, 'executor': session.executor}
-    result = preview_all(wanted, args.file, **graph) if args.dry_run else restore_all(
-        wanted, args.file, one_by_one=args.one_by_one, **graph)
+    result = restore_all(wanted, args.file, rehearse=args.dry_run, timeout_sec=args.timeout, executor=session.executor)
     if result.nodes or len(wanted) > 1:  # the error says all there is to say of one node
         session.print(result)
     system_arguments.report_unanswered(session, result.unanswered)
-    return 0 if (not result.unanswered if isinstance(result, Preview) else result.complete) else 1
+    return 0 if result.complete else 1

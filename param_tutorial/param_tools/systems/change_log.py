@@ -15,9 +15,7 @@ import json
 import math
 import os
 import queue
-import re
-import time
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -29,19 +27,20 @@ from param_tools import values
 from param_tools.errors import (
     ExecutorError,
     InvalidValueError,
-    NodeError,
     NodeGoneError,
     NodeNotFoundError,
     ParameterFileError,
+    ParameterToolError,
 )
 from param_tools.files.parameter_files import as_path, read_bytes
 from param_tools.files.parsing import matches
 from param_tools.markup.wording import format_count
-from param_tools.node.client import ParameterClient, ParameterValues
-from param_tools.ros import host, stage
+from param_tools.node.client import ParameterValues, Questions
+from param_tools.ros import host, stage, waiting
 from param_tools.ros.executor import TOOL_NODE_NAME, BackgroundExecutor
+from param_tools.ros.graph import DISCOVERY_SEC
 from param_tools.ros.services import TIMEOUT_SEC
-from param_tools.systems.snapshot import Snapshot, ask_all
+from param_tools.systems.snapshot import Snapshot
 from param_tools.systems.word_table import WordTable
 
 KINDS = ('begin', 'seen', 'declared', 'changed', 'deleted', 'gone')
@@ -49,12 +48,8 @@ KINDS = ('begin', 'seen', 'declared', 'changed', 'deleted', 'gone')
 _LETTERS = 60
 _CLOSE_TIMEOUT_SEC = 10.0
 _LONGEST_WAIT_SEC = 3600.0
-# How long to wait before each of the readings that follow the first one of a new node. Events may be missed meanwhile:
-# on a busy machine the node's publisher may discover this reader only at a heartbeat of Fast DDS, every three seconds.
-_READ_AGAIN_SEC = (0.5, 1.0, 2.0, 4.0)
-# How long to wait before each new question to a node that has not answered; the last wait is repeated. The waits grow
-# because all changes of other nodes have to wait while one is asked.
-_ASK_AGAIN_SEC = (1.0, 2.0, 5.0, 10.0, 30.0)
+# A node is asked for its names and then for its values.
+_QUESTIONS = 2
 
 
 @dataclass(frozen=True)
@@ -137,11 +132,7 @@ class ChangeLogWriter:
         :raises OSError: it cannot be written.
         """
         # Without a buffer: what found no room on a full disk would be written, and fail, once more in the end.
-        self._file = as_path(path).open('ab+', buffering=0)
-        self._is_torn = False
-        if self._file.seekable() and self._file.seek(0, os.SEEK_END):
-            self._file.seek(-1, os.SEEK_END)
-            self._is_torn = self._file.read(1) != b'\n'  # by a crash
+        self._file = as_path(path).open('ab', buffering=0)
 
     def __enter__(self) -> 'ChangeLogWriter':
         return self
@@ -154,12 +145,9 @@ class ChangeLogWriter:
 
         :raises OSError: they could not be written.
         """
-        lines = ''.join(f'{change.as_line()}\n' for change in changes)
-        left = (f'\n{lines}' if self._is_torn else lines).encode()
-        self._is_torn = True
+        left = ''.join(f'{change.as_line()}\n' for change in changes).encode()
         while left:
             left = left[self._file.write(left):]
-        self._is_torn = False
         # A pipe or a terminal has no disk.
         with contextlib.suppress(OSError):
             os.fsync(self._file.fileno())
@@ -173,13 +161,9 @@ class ChangeLog(WordTable[LoggedChange]):
 
     columns = ('time', 'node', 'parameter', 'kind', 'old', 'new')
 
-    def __init__(self, changes: Iterable[LoggedChange], damaged: Iterable[int] = ()):
-        """:param damaged: The numbers of the lines that could not be read."""
+    def __init__(self, changes: Iterable[LoggedChange]):
         super().__init__(changes)
-        self.damaged = tuple(damaged)
         self.heading = format_count(len(self), 'change')
-        if self.damaged:
-            self.heading += f'; unreadable: line {", ".join(map(str, self.damaged))}'
 
     @classmethod
     def read(cls, path: str | Path) -> 'ChangeLog':
@@ -187,37 +171,18 @@ class ChangeLog(WordTable[LoggedChange]):
 
         :raises ParameterFileError: the file cannot be opened, or it is another kind of file.
         """
-        lines = read_bytes(path).split(b'\n')
-        changes, damaged = [], []
-        for number, line in enumerate(lines, 1):
-            if not line.strip():
-                continue
-            try:
+        lines = list(filter(None, map(bytes.strip, read_bytes(path).split(b'\n'))))
+        changes = []
+        for line in lines:
+            with contextlib.suppress(ValueError):  # a UnicodeDecodeError and an InvalidValueError are ones, too
                 changes.append(LoggedChange.from_line(line.decode()))
-            except ValueError:  # a UnicodeDecodeError and an InvalidValueError are ones, too
-                damaged.append(number)
-        if damaged and not changes:
-            raise ParameterFileError(f'{path}, line {damaged[0]}: this is no log of parameter changes')
-        return cls(changes, damaged)
+        if lines and not changes:
+            raise ParameterFileError(f'{path}: this is no log of parameter changes')
+        return cls(changes)
 
-    def select(self, *, nodes: Iterable[str] = (), names: str = '', kinds: Iterable[str] = (),
-               since: datetime.datetime | None = None, until: datetime.datetime | None = None) -> 'ChangeLog':
-        """Return only some of the changes.
-
-        :param nodes: Names of nodes, or patterns such as ``/robot1/**``; by default all.
-        :param names: A regular expression that is searched in the parameter's name.
-        :param kinds: Some of KINDS; by default all.
-        :param since: Without a time zone, a local time, like ``until``.
-        :raises re.error: names is no regular expression.
-        """
-        wanted, patterns, kinds = re.compile(names), list(nodes), set(kinds)
-        since, until = since and since.astimezone(), until and until.astimezone()
-        return ChangeLog((each for each in self
-                          if (not patterns or any(matches(pattern, each.node) for pattern in patterns))
-                          and (not names or (each.name and wanted.search(each.name)))
-                          and (not kinds or each.kind in kinds)
-                          and (since is None or each.time >= since) and (until is None or each.time <= until)),
-                         self.damaged)
+    def without(self, *kinds: str) -> 'ChangeLog':
+        """Return only the changes that are of other kinds."""
+        return ChangeLog(each for each in self if each.kind not in kinds)
 
     def at(self, time: datetime.datetime | None = None) -> Snapshot:
         """Return the parameters that the nodes had at a time; by default at the end of the log.
@@ -272,20 +237,20 @@ class ChangeLog(WordTable[LoggedChange]):
 class ChangeFollower:
     """Hears of every change of every parameter, and knows the value before it. A context manager.
 
-    An event holds only the new value, and a node may have sent events before it was discovered. So the follower reads
-    each node when it first sees it, and again after it has been restarted.
+    Each node is read once, when it appears, and again after it has been restarted; from then on its events tell. Events
+    and answers are handled in the order in which they arrive, and an answer tells only of parameters of which no event
+    has told yet. So an answer that comes late puts no old value after a newer one.
     """
 
     def __init__(self, listener: Callable[[list[LoggedChange]], None], *, nodes: Iterable[str] = (),
-                 trouble: Callable[[NodeError], None] | None = None, timeout_sec: float = TIMEOUT_SEC,
+                 trouble: Callable[[ParameterToolError], None] | None = None, timeout_sec: float = TIMEOUT_SEC,
                  executor: BackgroundExecutor | None = None):
         """Begin to follow. Before this returns, the listener is called with all values that the nodes have now.
 
         :param listener: Called with changes that have happened together, in their order; in a thread of its own, and
             never twice at once.
         :param nodes: Names of nodes, or patterns such as ``/robot1/**``; by default all but hidden ones.
-        :param trouble: Called in the same way when a node has not answered, so that its values are not known. The node
-            is asked again from time to time.
+        :param trouble: Called in the same way when a node has not answered, so that its values are not known.
         :param timeout_sec: How long a node may take for each answer.
         """
         self._listener = listener
@@ -294,20 +259,21 @@ class ChangeFollower:
         self._timeout_sec = timeout_sec
         self._executor = executor or stage.current()
         self._known: dict[str, dict[str, Any]] = {}
+        self._by_events: dict[str, set[str]] = {}
+        """The parameters of each node of which an event has told."""
         self._incarnations: dict[str, frozenset[bytes]] = {}
-        self._new: dict[str, tuple[float, Sequence[float]]] = {}
-        """When each new node is to be read again, and how long to wait before each reading after that."""
-        self._read: dict[str, Mapping[str, Any]] = {}
-        """What each node had when it was last read."""
-        self._silent: dict[str, list[float]] = {}
-        """How long to wait before each new question to a node that has not answered."""
-        self._look_again_at: float | None = None
+        self._unread: dict[str, object] = {}
+        """The nodes that have been asked and whose answer has not arrived, each with a mark of its reading."""
         self._is_over = False
-        self._happened: queue.SimpleQueue[Callable[[], list[LoggedChange]] | None] = queue.SimpleQueue()
-        self._stop_listening = [self._executor.on_parameter_event(self._on_event),
-                                self._executor.on_graph_change(self._on_graph_change)]
-        began = LoggedChange(_now(), 'begin')
-        self._listener([began, *self._look()])
+        self._arrived: queue.SimpleQueue[Callable[[], list[LoggedChange]] | None] = queue.SimpleQueue()
+        self._stop_listening = [
+            self._executor.on_parameter_event(self._on_event),
+            self._executor.on_graph_change(lambda: self._arrived.put(self._update_nodes))]
+        changes = [LoggedChange(_now(), 'begin'), *self._update_nodes()]
+        end = waiting.deadline(DISCOVERY_SEC + _QUESTIONS * timeout_sec)
+        while self._unread and waiting.wait_before(end, lambda: not self._arrived.empty()):
+            changes += self._take(self._arrived.get())
+        self._listener(changes)
         self._loop = host.host.loop(self._run_next, lambda: self._is_over, 'parameter changes', _LONGEST_WAIT_SEC)
         self._loop.start()
 
@@ -322,7 +288,7 @@ class ChangeFollower:
         for stop in self._stop_listening:
             with contextlib.suppress(ExecutorError):
                 stop()
-        self._happened.put(None)
+        self._arrived.put(None)
         if not self._loop.is_current():
             self._loop.join(_CLOSE_TIMEOUT_SEC)
 
@@ -336,49 +302,58 @@ class ChangeFollower:
     def _on_event(self, event: ParameterEvent) -> None:
         if self._is_wanted(event.node):
             time = _now()
-            self._happened.put(lambda: self._changes_of(event, time))
+            self._arrived.put(lambda: self._changes_of(event, time))
 
-    def _on_graph_change(self) -> None:
-        self._happened.put(self._look)
+    async def _read(self, node: str, reading: object) -> None:
+        async def ask(service: str, request: Any) -> Any:
+            return await self._executor.services.call_async(node, service, request, timeout_sec=self._timeout_sec)
+
+        try:
+            parameters = await Questions(node, ask).get_parameters()
+        except ParameterToolError as failure:
+            error = failure
+            self._arrived.put(lambda: self._miss(node, reading, error))
+        else:
+            self._arrived.put(lambda: self._add_read(node, reading, parameters))
 
     # In the follower's own loop.
 
     def _run_next(self, wait_sec: float) -> bool:
-        """Do what is next, within a time, and return whether there was anything."""
-        happened = self._next(wait_sec)
-        if happened is None:
+        """Handle what has arrived next, within a time, and return whether there was anything."""
+        try:
+            arrived = self._arrived.get(timeout=wait_sec)
+        except queue.Empty:
             return False
-        # The executor has been stopped, maybe just now, and with it its node: nothing more will happen.
-        with contextlib.suppress(ExecutorError, InvalidHandle):
-            if changes := happened():
-                self._listener(changes)
+        self._is_over = arrived is None
+        if changes := self._take(arrived):
+            self._listener(changes)
         return True
 
-    def _next(self, wait_sec: float) -> Callable[[], list[LoggedChange]] | None:
-        """Return what to do next. Wait for it at most until a node is to be read again, or asked again."""
-        dues = [due for due, _ in self._new.values()]
-        due = min(dues if self._look_again_at is None else [*dues, self._look_again_at], default=math.inf)
-        if due <= time.monotonic():  # however much happens
-            return self._read_again
-        try:
-            happened = self._happened.get(timeout=max(0.0, min(wait_sec, due - time.monotonic())))
-        except queue.Empty:
-            return None
-        self._is_over = happened is None
-        return happened
+    @staticmethod
+    def _take(arrived: Callable[[], list[LoggedChange]] | None) -> list[LoggedChange]:
+        # The executor has been stopped, maybe just now, and with it its node: nothing more will happen.
+        with contextlib.suppress(ExecutorError, InvalidHandle):
+            return arrived() if arrived is not None else []
+        return []
 
-    def _read_again(self) -> list[LoggedChange]:
-        """Read the new nodes again: a node's first events are lost if its publisher doesn't know this reader yet."""
-        now = time.monotonic()
-        if self._look_again_at is not None and self._look_again_at <= now:
-            return self._look()
-        waits = {node: later for node, (due, later) in self._new.items() if due <= now}
-        self._new = {node: each for node, each in self._new.items() if node not in waits}
-        answers, _ = ask_all(sorted(self._known.keys() & waits), ParameterClient.get_parameters,
-                             timeout_sec=self._timeout_sec, executor=self._executor)
-        # A node that did not answer isn't asked again, because all other changes would have to wait.
-        self._read_later({node: each for node, each in waits.items() if each and node in answers})
-        return [change for node, parameters in answers.items() for change in self._seen(node, parameters)]
+    def _update_nodes(self) -> list[LoggedChange]:
+        """Note the nodes that have left, and begin to read those that have appeared."""
+        names = set(filter(self._is_wanted, self._executor.services.node_names(hidden=True))) - {f'/{TOOL_NODE_NAME}'}
+        now = {node: self._executor.node_incarnations(node) for node in names}
+        # News of what a node has may come later than its first answers; that is not a restart.
+        came = [node for node, each in now.items()
+                if node not in self._incarnations or self._incarnations[node] not in (each, frozenset())]
+        at = _now()
+        changes = [LoggedChange(at, 'gone', node) for node in self._incarnations if node not in now or node in came]
+        for change in changes:
+            self._known.pop(change.node, None)
+            self._by_events.pop(change.node, None)
+        self._incarnations = now
+        self._unread = {node: reading for node, reading in self._unread.items() if node in now}
+        for node in sorted(came):
+            self._unread[node] = object()
+            self._executor.create_task(self._read(node, self._unread[node]))
+        return changes
 
     def _changes_of(self, event: ParameterEvent, time: datetime.datetime) -> list[LoggedChange]:
         known = self._known.setdefault(event.node, {})
@@ -389,63 +364,34 @@ class ChangeFollower:
                 if values.holds(known, each.name, new):
                     continue  # it was read after the event, or set to the value that it had
                 old = known.get(each.name)
-                kind_now = 'changed' if each.name in known else kind
+                if each.name in known:
+                    kind_now = 'changed'
+                else:  # what it was before will not be known
+                    kind_now = 'seen' if kind == 'changed' and event.node in self._unread else kind
                 changes.append(LoggedChange(time, kind_now, event.node, each.name, old, new))
                 known[each.name] = new
         changes += [LoggedChange(time, 'deleted', event.node, each.name, known.pop(each.name, None))
                     for each in event.deleted_parameters]
+        self._by_events.setdefault(event.node, set()).update(change.name for change in changes)
         return changes
 
-    def _look(self) -> list[LoggedChange]:
-        """Read the nodes that have appeared, and note those that have left."""
-        names = set(filter(self._is_wanted, self._executor.services.node_names(hidden=True))) - {f'/{TOOL_NODE_NAME}'}
-        now = {node: self._executor.node_incarnations(node) for node in names}
-        came = [node for node in now if self._incarnations.get(node) != now[node]]
-        at = _now()
-        changes = [LoggedChange(at, 'gone', node) for node in self._known
-                   if node not in now or (node in came and self._incarnations.get(node))]
-        for change in changes:
-            self._known.pop(change.node, None)
-            self._read.pop(change.node, None)
-        answers, unanswered = ask_all(came, ParameterClient.get_parameters, timeout_sec=self._timeout_sec,
-                                      executor=self._executor) if came else ({}, {})
-        for node, parameters in answers.items():
-            changes += self._seen(node, parameters)
-        self._read_later(dict.fromkeys(answers, _READ_AGAIN_SEC))
-        self._incarnations = {node: each for node, each in now.items() if node not in unanswered}
-        self._note_silence(unanswered)
-        return changes
-
-    def _read_later(self, waits: Mapping[str, Sequence[float]]) -> None:
-        now = time.monotonic()
-        self._new |= {node: (now + first, later) for node, (first, *later) in waits.items()}
-
-    def _note_silence(self, unanswered: Mapping[str, NodeError]) -> None:
-        """Report the nodes that have not answered, each once, and plan when to ask them again."""
-        for node, error in unanswered.items():
-            # A node that has left meanwhile is reported as gone.
-            has_left = isinstance(error, (NodeGoneError, NodeNotFoundError))
-            if self._trouble is not None and node not in self._silent and not has_left:
-                self._trouble(error)
-        waits = {node: self._silent.get(node, list(_ASK_AGAIN_SEC)) for node in unanswered}
-        self._look_again_at = time.monotonic() + min(each[0] for each in waits.values()) if waits else None
-        self._silent = {node: each[1:] or each for node, each in waits.items()}
-
-    def _seen(self, node: str, parameters: Mapping[str, Any]) -> list[LoggedChange]:
-        """Return what a reading of a node tells that is not known.
-
-        A known value that differs has changed, and its event, with those before it, is usually still to come. So it is
-        believed only if the reading before has found it, too.
-        """
+    def _add_read(self, node: str, reading: object, parameters: Mapping[str, Any]) -> list[LoggedChange]:
+        """Note what a node said that it has."""
+        if self._unread.get(node) is not reading:
+            return []  # it has left or was restarted meanwhile
+        del self._unread[node]
         known, time = self._known.setdefault(node, {}), _now()
-        before, self._read[node] = self._read.get(node, {}), parameters
-        changes = []
-        for name, value in parameters.items():
-            if name not in known or (not values.same(known[name], value) and values.holds(before, name, value)):
-                kind = 'changed' if name in known else 'seen'
-                changes.append(LoggedChange(time, kind, node, name, known.get(name), value))
-                known[name] = value
-        return changes
+        new = {name: value for name, value in parameters.items() if name not in self._by_events.get(node, ())}
+        known |= new
+        return [LoggedChange(time, 'seen', node, name, None, value) for name, value in new.items()]
+
+    def _miss(self, node: str, reading: object, error: ParameterToolError) -> list[LoggedChange]:
+        if self._unread.get(node) is reading:
+            del self._unread[node]
+            # A node that has left meanwhile is reported as gone.
+            if self._trouble is not None and not isinstance(error, (NodeGoneError, NodeNotFoundError)):
+                self._trouble(error)
+        return []
 
 
 def _now() -> datetime.datetime:

@@ -1,17 +1,13 @@
-"""Read the parameters of all nodes at once, save them in one file, and read the file back."""
+"""Read the parameters of all nodes at once, and save them in one file."""
 
-import contextlib
 import datetime
-import json
 from collections.abc import Callable, Iterable
-from itertools import takewhile
-from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from rclpy.node import Node
 
 from param_tools import values
-from param_tools.errors import ExecutorError, NodeError, NodeNotFoundError, ParameterFileError
+from param_tools.errors import ExecutorError, NodeError, NodeNotFoundError
 from param_tools.files import parameter_files
 from param_tools.markup.styles import style
 from param_tools.markup.tables import Row, grouped_table
@@ -27,10 +23,6 @@ T = TypeVar('T')
 
 FIRST_WORDS = '# Snapshot of'
 """How a saved snapshot begins. It holds all parameters of its nodes, and other parameter files hold only some."""
-# A parameter file can't hold empty arrays: they have no type there, and a node of rclpy would not start. So a comment
-# at the head of a snapshot names them; rcl and ``ros2 param load`` pass over comments.
-_EMPTY_ARRAYS = '# Empty arrays: '
-_KNOWN_FROM_HEAD = '; only restore and diff know it, from the head of the snapshot'
 
 
 class Snapshot(dict[str, ParameterValues]):
@@ -47,24 +39,12 @@ class Snapshot(dict[str, ParameterValues]):
     def __missing__(self, node: str) -> ParameterValues:
         raise self.unanswered.get(node) or NodeNotFoundError(node, list(self))
 
-    @classmethod
-    def from_file(cls, path: str | Path) -> 'Snapshot':
-        """Read a snapshot that was saved, or the blocks of another parameter file that name their node.
-
-        :raises ParameterFileError: the file cannot be read.
-        """
-        return cls({node: ParameterValues(parameters) for node, parameters in read_saved(path).items()}, {})
-
     def dump(self) -> parameter_files.Dump:
         """Return one parameter file for all nodes, which ``--params-file`` and ``restore`` can read."""
         dumps = {node: parameter_files.render(node, parameters) for node, parameters in self.items()}
         lines = [f'{FIRST_WORDS} {format_count(len(self), "node")}, {self.taken.isoformat(timespec="seconds")}\n']
         lines += [f'# {node} is missing: {" ".join(str(error).split())}\n' for node, error in self.unanswered.items()]
-        empty = {node: names for node, each in dumps.items()
-                 if (names := [name for name, reason in each.left_out.items() if reason == parameter_files.NO_TYPE])}
-        lines += [f'{_EMPTY_ARRAYS}{json.dumps(empty)}\n'] * bool(empty)
-        left_out = {f'{node}: {name}': f'{reason}{_KNOWN_FROM_HEAD if name in empty.get(node, ()) else ""}'
-                    for node, dump in dumps.items() for name, reason in dump.left_out.items()}
+        left_out = {f'{node}: {name}': reason for node, dump in dumps.items() for name, reason in dump.left_out.items()}
         return parameter_files.Dump(''.join(lines) + '\n'.join(dump.text for dump in dumps.values()), left_out)
 
     def __repr__(self) -> str:
@@ -82,46 +62,6 @@ class Snapshot(dict[str, ParameterValues]):
         if not groups:
             return '<p>There are no nodes.</p>'
         return f'{_STYLE}<div class="param-snapshot">{grouped_table(("node", "parameter", "value"), groups)}</div>'
-
-
-def read_saved(path: str | Path, nodes: Iterable[str] = ()) -> dict[str, dict[str, Any]]:
-    """Return what a saved snapshot or another parameter file holds, by node, and the arrays that were empty.
-
-    :param nodes: As for ``parameter_files.read_all``.
-    :raises ParameterFileError: the file cannot be read, or rcl would reject it.
-    """
-    found = parameter_files.read_all(path, nodes)
-    lines = parameter_files.read_bytes(path).decode('utf-8', 'replace').splitlines()
-    if not (lines and lines[0].startswith(FIRST_WORDS)):
-        return found
-    for number, line in enumerate(takewhile(lambda line: line.startswith('#'), lines), 1):
-        if line.startswith(_EMPTY_ARRAYS):
-            for node, names in _empty_arrays(path, number, line.removeprefix(_EMPTY_ARRAYS)).items():
-                for name in names if node in found else ():
-                    # If somebody has written a value since, the value counts.
-                    found[node].setdefault(name, [])
-    return found
-
-
-def read_heading(path: Path) -> tuple[str, datetime.datetime] | None:
-    """Return what a saved snapshot says at its head: how many nodes it holds, in words, and when it was taken.
-
-    :return: None if the file is no snapshot.
-    """
-    with contextlib.suppress(OSError, ValueError), path.open(encoding='utf-8') as file:
-        words, comma, taken = file.readline(200).removeprefix(FIRST_WORDS).strip().partition(', ')
-        return (words, datetime.datetime.fromisoformat(taken)) if comma else None
-    return None
-
-
-def _empty_arrays(path: str | Path, number: int, text: str) -> dict[str, list[str]]:
-    with contextlib.suppress(ValueError, RecursionError):
-        content = json.loads(text)
-        if isinstance(content, dict) and all(isinstance(names, list) and all(isinstance(name, str) and name for name in
-                                                                             names) for names in content.values()):
-            return content
-    raise ParameterFileError(f'{path}, line {number}: this comment must name the arrays that are empty, as in '
-                             f'{_EMPTY_ARRAYS}{{"/node": ["name"]}}; remove it to leave them as they are')
 
 
 def all_parameters(nodes: Iterable[str | Node] | str | Node | None = None, *, timeout_sec: float = TIMEOUT_SEC,
