@@ -122,8 +122,6 @@ class BlockStart:
     place: Place
     end: Place
     """Where ``ros__parameters`` stands."""
-    first: Place | None = None
-    """Where the first name below it stands; None if there is none."""
 
 
 @dataclass(eq=False)
@@ -326,7 +324,6 @@ class Parser:
             self.is_new_map = False
         self.name_place = place
         if not self.parameter_parts:
-            self.starts[-1].first = self.starts[-1].first or place
             self._select(name, place)
         else:
             self._select(self.parameter_path, place)
