@@ -102,6 +102,7 @@ export function askForPrediction(form, {commit, skip, forget}) {
     fields.disabled = isCommitted;
     button.textContent = !isCommitted ? 'Commit' : forget ? 'Answer again' : 'Committed';
     button.classList.toggle('param-predict-committed', isCommitted && !forget);
+    button.classList.toggle('param-predict-again', isCommitted && Boolean(forget));
     const said = isDecided ? (verdicts[answer] ?? otherwise) : 'Now run the next cell.';
     const shown = isCommitted ? `${said} ${note}` : '';
     if (says.innerHTML !== shown) says.innerHTML = shown;

@@ -13,17 +13,15 @@ import {entries, openDatabase} from './database.js';
  * @typedef {{of: number, answers: Record<string, Answer>}} Lesson
  */
 
-const NAME = 'ros2-parameters-lessons';
+const NAME = 'ros2-parameters-progress';
 /** The name of this page. */
 export const here = page(location.pathname);
 // Not localStorage: of pages on a disk, Chromium 156 loads about one in twenty with a localStorage that reads nothing and
 // keeps nothing (46 of 750 with no script of ours; over HTTP none of 80, and none of 350 with IndexedDB).
-// By lesson and number: an Answer; and by lesson how many questions and exercises it has.
-const opened = openDatabase(NAME, ['answers', 'sizes']);
+const opened = openDatabase(NAME, ['lessons']);
 const news = new BroadcastChannel(NAME);
-/** @type {Record<string, Lesson>} */
+/** By their names. @type {Record<string, Lesson>} */
 let lessons = {};
-let writes = 0;
 /** What a lesson has to answer or to solve. */
 const QUESTIONS = '.lesson-prediction, [class*="tag_live-check-"]';
 const DAY_MS = 24 * 3600 * 1000;
@@ -34,27 +32,13 @@ function page(path) {
   return decodeURIComponent(name).replace(/\.html$/, '') || 'index';
 }
 
-/** Read what is kept; what this page changes meanwhile is newer. */
+/** Read what is kept. */
 async function load() {
   const db = await opened;
-  if (!db) return;
   try {
-    let sizes, answers, before;
-    do {
-      before = writes;
-      const transaction = db.transaction(['answers', 'sizes']);
-      [sizes, answers] = await Promise.all(['sizes', 'answers'].map(each => entries(transaction.objectStore(each))));
-    } while (writes !== before);
-    lessons = {};
-    for (const [name, of] of sizes) {
-      if (Number.isInteger(of)) lessons[name] = {of, answers: {}};
-    }
-    for (const [[name, number], kept] of answers) {
-      if (typeof kept?.text !== 'string' || !lessons[name]) continue;
-      lessons[name].answers[number] = kept;
-    }
+    if (db) lessons = Object.fromEntries(await entries(db.transaction('lessons').objectStore('lessons')));
   } catch {
-    // Nothing can be read, or what is kept is not ours.
+    // Nothing can be read.
   }
   show();
   dispatchEvent(new Event('lesson-progress'));
@@ -62,22 +46,31 @@ async function load() {
 
 /**
  * Change what is kept; the page itself has changed already.
- * @param {(answers: IDBObjectStore, sizes: IDBObjectStore) => void} how
+ * @param {(lessons: IDBObjectStore) => void} how
  */
 async function write(how) {
-  writes += 1;
   show();
   const db = await opened;
   if (!db) return;
   try {
-    const transaction = db.transaction(['answers', 'sizes'], 'readwrite');
-    transaction.oncomplete = () => news.postMessage('changed');
-    how(transaction.objectStore('answers'), transaction.objectStore('sizes'));
+    const transaction = db.transaction('lessons', 'readwrite');
+    transaction.oncomplete = () => {
+      news.postMessage('changed');
+      load(); // what was being read meanwhile is older
+    };
+    how(transaction.objectStore('lessons'));
     // At once, for the reader may leave the page at once.
     transaction.commit();
   } catch {
     // The page lives on without memory.
   }
+}
+
+/** @param {Record<string, Answer>} answers Of this page's lesson. */
+function keep(answers) {
+  const lesson = {of: document.querySelectorAll(QUESTIONS).length, answers};
+  lessons[here] = lesson;
+  write(kept => kept.put(lesson, here));
 }
 
 /**
@@ -87,15 +80,9 @@ async function write(how) {
  * @param {boolean} right
  */
 export function keepAnswer(number, text, right) {
-  const of = document.querySelectorAll(QUESTIONS).length;
-  const {answers} = lessons[here] ?? {answers: {}};
+  const answers = lessons[here]?.answers ?? {};
   const times = right ? (answers[number]?.times ?? 0) + 1 : 0;
-  const answer = {text, right, at: localTime(), times};
-  lessons[here] = {answers: {...answers, [number]: answer}, of};
-  write((kept, sizes) => {
-    kept.put(answer, [here, number]);
-    sizes.put(of, here);
-  });
+  keep({...answers, [number]: {text, right, at: localTime(), times}});
 }
 
 function localTime() {
@@ -105,16 +92,13 @@ function localTime() {
 
 /** @param {string} number */
 export function forgetAnswer(number) {
-  delete lessons[here]?.answers[number];
-  write(kept => kept.delete([here, number]));
+  const {[number]: _, ...others} = lessons[here]?.answers ?? {};
+  keep(others);
 }
 
 function forgetAll() {
   lessons = {};
-  write((answers, sizes) => {
-    answers.clear();
-    sizes.clear();
-  });
+  write(kept => kept.clear());
 }
 
 /**
