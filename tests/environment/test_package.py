@@ -12,10 +12,14 @@ import yaml
 from param_tools import __version__
 from param_tools.cli.run import node_programs
 from tests.support.paths import PACKAGE, ROOT, ROS_PACKAGE, TOOLS
-from tests.support.toml import read_toml
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
 
 LOCKS = {path.name: path.read_text() for path in (ROOT / 'environment').glob('*.lock')}
-PYPROJECT = read_toml(ROOT / 'pyproject.toml')
+PYPROJECT = tomllib.loads((ROOT / 'pyproject.toml').read_text())
 PROJECT = PYPROJECT['project']
 EXTRAS = PROJECT['optional-dependencies']
 COURSE = [*PROJECT['dependencies'], *EXTRAS['course']]
@@ -71,7 +75,7 @@ def test_each_package_below_the_ros_package_is_installed(setup_py):
 
 
 def test_the_course_takes_the_tools_with_all_that_they_need():
-    tools = read_toml(TOOLS / 'pyproject.toml')['project']
+    tools = tomllib.loads((TOOLS / 'pyproject.toml').read_text())['project']
     needed = {each for extra in [tools['dependencies'], *tools['optional-dependencies'].values()] for each in extra}
     assert {each for each in needed if not each.startswith('param-tools[')} <= set(COURSE)
 
