@@ -1,11 +1,9 @@
 """background: life and death of the executor, its nodes and its thread."""
 
-import gc
 import subprocess
 import sys
 import textwrap
 import threading
-import weakref
 from pathlib import Path
 
 import pytest
@@ -99,15 +97,6 @@ def test_stop_start_stop(ros):
         ros.add(Speed)
     fresh = param_tutorial.start()
     assert fresh is not ros
-    assert ParameterClient(fresh.add(Speed)).get_parameter('rpm') == 1
-
-
-def test_start_heals_after_somebody_shut_the_context_down(ros):
-    ros.add(Speed)
-    rclpy.Context.shutdown(ros.context)  # not as anybody would: rclpy.shutdown() leaves the stage alone
-    with pytest.raises(ExecutorError, match='start'):
-        ros.add(Speed)
-    fresh = param_tutorial.start()
     assert ParameterClient(fresh.add(Speed)).get_parameter('rpm') == 1
 
 
@@ -222,23 +211,6 @@ def test_many_restarts_do_not_pile_up(ros):
     assert threading.active_count() <= threads
     assert len(list(Path('/proc/self/fd').iterdir())) <= files
     assert ros.services.node_names() == ['/speed']
-
-
-@pytest.mark.slow
-def test_a_class_whose_node_has_gone_is_not_kept(ros):
-    """A cell that runs again creates its class again: a lesson that is run often would keep hundreds."""
-    class Passing(Node):
-        def __init__(self):
-            super().__init__('passing')
-    gone = weakref.ref(Passing)
-    assert type(ros.add(Passing)) is type(ros.add(Passing))
-    ros.remove_all()
-    del Passing
-
-    def is_gone():
-        gc.collect()
-        return gone() is None
-    param_tutorial.wait_until(is_gone, 'the class to be collected')
 
 
 def test_a_node_that_is_destroyed_leaves_no_service_behind(ros):

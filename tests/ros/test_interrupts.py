@@ -60,25 +60,6 @@ def test_the_limit_of_a_block_waits_for_the_end_of_a_block_in_it():
         loop()
 
 
-def test_a_thread_that_runs_python_is_interrupted():
-    entered, heard = threading.Event(), []
-
-    def loop():
-        try:
-            entered.set()
-            while True:
-                pass
-        except ValueError:
-            heard.append('an error')
-
-    thread = threading.Thread(target=loop)
-    thread.start()
-    entered.wait()
-    assert raise_in(thread, ValueError)
-    thread.join()
-    assert heard == ['an error']
-
-
 def test_a_thread_that_sleeps_is_left_alone():
     reading, writing = os.pipe()
     result = []

@@ -1,6 +1,5 @@
 """The executor in a real Jupyter kernel: re-run cells, interrupts, errors, restarts and the end."""
 
-import os
 import signal
 import threading
 from pathlib import Path
@@ -54,28 +53,6 @@ def test_interrupt_ends_the_cell_and_not_the_node(kernel):
     assert kernel.end() == 0
 
 
-def test_an_interrupted_call_leaves_nothing_pending(kernel):
-    kernel.run(START)
-    kernel.run('''
-        import threading
-        from rclpy.node import Node
-        release = threading.Event()
-        class Slow(Node):
-            def __init__(self):
-                super().__init__('slow')
-                self.declare_parameter('x', 1)
-                self.add_post_set_parameters_callback(self.post)
-            def post(self, parameters):
-                print('asked', flush=True)
-                release.wait(30)
-        slow = ParameterClient(ros.add(Slow), timeout_sec=50)
-    ''')
-    assert 'KeyboardInterrupt' in kernel.run("slow.set_parameter('x', 2)", interrupt_on='asked')
-    kernel.run('release.set()')
-    assert kernel.run('slow.get_parameter("x"), ros.services._pending') == '(2, {})'
-    assert kernel.end() == 0
-
-
 def claims(number: int) -> set[str]:
     """Return the sockets on this machine that claim a ROS domain, by their numbers in Linux: at most one."""
     rows = [line.split() for line in Path('/proc/net/unix').read_text().splitlines()]
@@ -108,27 +85,6 @@ def test_a_callback_that_ends_the_process_takes_all_of_it_along(kernel):
     wait_until(lambda: not any(each.is_running() and each.status() != psutil.STATUS_ZOMBIE for each in started),
                'what the kernel started to end')
     assert not claim & claims(number)
-
-
-def test_a_kernel_for_which_no_domain_is_left_says_what_to_do(kernel):
-    number, claim = domain._claim_free_domain()
-    try:
-        kernel.run(f'from param_tools.ros import domain; domain.DOMAIN_IDS = range({number}, {number + 1})')
-        text = kernel.run(START)
-        assert text == (f'ExecutorError: all ROS domains from {number} to {number} are in use on this machine: shut '
-                        f'down kernels that are no longer needed, or set ROS_DOMAIN_ID to share one of them')
-    finally:
-        os.close(claim)
-
-    def starts():
-        now = kernel.run(START)
-        assert now == text or 'Error' not in now
-        return now != text
-
-    # The same cell works when another kernel has ended. One of another test may have taken the domain first.
-    wait_until(starts, 'the domain to be free', DEADLINE_SEC)
-    assert kernel.run('ros.domain_id, ros.services.node_names()') == f"({number}, ['/simple_param_node'])"
-    assert kernel.end() == 0
 
 
 def when_exists(path, act):

@@ -38,15 +38,6 @@ def test_each_line_is_read_once_and_only_up_to_the_one_wanted():
         log.read(until='two', timeout_sec=0.01)
 
 
-def test_reading_one_node_leaves_the_others_unread():
-    log = NodeLog()
-    for name in ('a', 'b', 'a'):
-        log.receive(message('x', name))
-    assert log.read(until='x', node='/b') == '[INFO] [b]: x'
-    assert log.read(until='x') == '[INFO] [a]: x'
-    assert log.read(until='x', node='/a') == '[INFO] [a]: x'
-
-
 def test_clear_and_overflow():
     log = NodeLog()
     for number in range(CAPACITY + 10):

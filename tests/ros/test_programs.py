@@ -62,18 +62,6 @@ def test_a_program_has_its_own_arguments_and_is_asked_and_ended(tmp_path):
         "--params-file file.yaml (ended with status 0)> ['/simple_param_node']\n")
 
 
-def test_an_error_in_a_callback_ends_a_program_as_a_process(tmp_path):
-    assert run(written(tmp_path, """
-        import rclpy
-        from rclpy.node import Node
-        rclpy.init()
-        node = Node('clumsy')
-        node.create_timer(0.01, lambda: 1 / 0)
-        rclpy.spin(node)
-        """) + "print(terminal.read(until='ZeroDivisionError').splitlines()[0], terminal.interrupt())", tmp_path) == (
-        'Traceback (most recent call last): 1\n')
-
-
 def test_ctrl_c_is_raised_where_a_program_spins_and_what_it_does_then_is_done(tmp_path):
     assert run(written(tmp_path, """
         import sys

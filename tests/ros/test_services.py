@@ -6,7 +6,6 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from param_tools.errors import (
-    ExecutorError,
     NoAnswerError,
     NodeError,
     NodeNotFoundError,
@@ -70,12 +69,6 @@ def test_a_node_that_does_not_answer_in_time_costs_no_more_than_that(ros):
         node.open.release()
     ros.services.call('/gate', 'set_parameters', set_x(2))
     assert node.seen == [1, 2]  # each was sent once
-
-
-def test_a_callback_cannot_wait_for_a_service(ros):
-    ros.add(SimpleParamNode)
-    with pytest.raises(ExecutorError, match='a callback cannot wait for a service'):
-        ros.run(lambda: ros.services.call(ROBOT, 'list_parameters', ListParameters.Request()), 'call')
 
 
 def test_a_call_without_waiting_completes_in_the_executors_thread(ros):
