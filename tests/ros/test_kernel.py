@@ -205,7 +205,7 @@ print(view.model_id)
     answer = PREDICTIONS['3-1'].choices[0].text
     hand = when_exists(tmp_path / 'waits', lambda: page.touch(model_id, {'do': 'commit', 'answer': answer}))
     text = kernel.run(f"Path('{tmp_path}/waits').touch()\n"
-                      "param_tutorial.wait_until(lambda: view.said, 'the hand', 30)\nview.said")
+                      "param_tutorial.wait_until(lambda: view.answer, 'the hand', 30)\nview.is_decided")
     hand.join()
-    assert 'Wait for the cell that is running' in text
-    assert 'Not so.' in kernel.run('view.said')
+    assert text == 'False'
+    assert kernel.run('view.is_decided') == 'True'
