@@ -129,8 +129,9 @@ def settled(profile: Profile, *, is_writer: bool) -> Profile:
 
 def _without_zeros(profile: Profile) -> Profile:
     """Return a profile that says in ns, too, that there is no limit."""
-    return replace(profile, **{name: DURATION_INFINITE for name in _DURATIONS
-                               if getattr(profile, name) in (0, BEST_AVAILABLE_DURATION)})
+    endless: dict[str, Any] = {name: DURATION_INFINITE for name in _DURATIONS
+                               if getattr(profile, name) in (0, BEST_AVAILABLE_DURATION)}
+    return replace(profile, **endless)
 
 
 def incompatible_policy(writer: Profile, reader: Profile) -> rmw_qos_policy_kind_t | None:
