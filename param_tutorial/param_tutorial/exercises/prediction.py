@@ -25,12 +25,12 @@ class Choice(NamedTuple):
 
 
 def right(text: str, sentence: str) -> Choice:
-    """Return the answer that is true."""
+    """Make the right choice: its text, and the sentence that confirms it."""
     return Choice(text, sentence, True)
 
 
 def wrong(text: str, sentence: str) -> Choice:
-    """Return an answer that people give, and what shows that it is not so."""
+    """Make a wrong choice: its text, and the sentence that refutes it."""
     return Choice(text, sentence, False)
 
 

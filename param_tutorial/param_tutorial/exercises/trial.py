@@ -72,7 +72,7 @@ class NoUse(NotYet):
 
 
 class NotTried(Exception):
-    """A requirement takes for granted what an earlier one has found wanting: the cause stands there, once."""
+    """An earlier requirement failed, and this one depends on it, so it is reported as not tried."""
 
 
 class NoStart(NoUse):

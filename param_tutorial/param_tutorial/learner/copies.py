@@ -134,8 +134,10 @@ class Copies:
                     f'{remedy}')
         kept = self._back_up(name) if b'"output_type":' in content else None
         self._give(name, fresh)
-        return kept and (f'{self._say(copy)} is now the new version. You had changed no cell; the file with your '
-                         f'outputs is kept as {self._say(kept)}.')
+        if kept is None:
+            return None
+        return (f'{self._say(copy)} is now the new version. You had changed no cell; the file with your outputs is kept '
+                f'as {self._say(kept)}.')
 
     def _give(self, name: Path, fresh: bytes) -> None:
         """Put a fresh copy in its place; what was there is not kept."""

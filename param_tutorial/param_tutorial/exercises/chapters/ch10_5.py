@@ -164,7 +164,7 @@ class Lamp(Node):
 
 
 class Kettle(Node):
-    """Another one, whose default for an offset is that nobody has measured it."""
+    """A kettle whose `offset_c` is not a number until somebody has measured it."""
 
     def __init__(self) -> None:
         super().__init__('kettle')
