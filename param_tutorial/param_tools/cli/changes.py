@@ -35,7 +35,7 @@ def _add_watch_arguments(parser: argparse.ArgumentParser) -> None:
 def watch(session: Session, args: argparse.Namespace) -> Steps:
     """Print changes until somebody ends it."""
     if session.in_notebook and args.duration is None:
-        raise CommandFailed(session.instead_of(['watch', *args.nodes]) + ' Or say how long: --duration 10')
+        raise CommandFailed(session.advise_instead(['watch', *args.nodes]) + ' Or say how long: --duration 10')
     session.wait_for_graph(args)
     happened: queue.SimpleQueue[list[LoggedChange] | ParameterToolError] = queue.SimpleQueue()
     end = math.inf if args.duration is None else time.monotonic() + args.duration

@@ -44,7 +44,7 @@ def run_program(session: Session, args: argparse.Namespace) -> Steps:
     """Run the program, say if it failed, and return its exit status; negative if a signal ended it."""
     command = find_program(args.package_name, args.executable_name)
     if session.in_notebook:
-        raise CommandFailed(session.instead_of(['run', args.package_name, args.executable_name, *args.argv]))
+        raise CommandFailed(session.advise_instead(['run', args.package_name, args.executable_name, *args.argv]))
     command = [*command, *args.argv]
     session.stdout.flush()
     session.stderr.flush()

@@ -53,7 +53,7 @@ class TextStream(Protocol):
         """Pass on what was written so far."""
 
 
-def what_else_to_type(words: Sequence[str]) -> str:
+def advise_terminal(words: Sequence[str]) -> str:
     """Return a sentence on what to do instead of a command that would not let a notebook's cell end."""
     return (f'This would keep the cell busy until you interrupt it. Type it in a terminal: '
             f'{shlex.join(["ros2", *words])}; or add its node to the executor in the notebook: ros.add(...)')
@@ -69,8 +69,8 @@ class Session:
     """Called only by verbs that need an executor."""
     in_notebook: bool
     """True if the executor stays, and the command must not block forever."""
-    instead_of: Callable[[Sequence[str]], str] = what_else_to_type
-    """Returns what to tell who types such a command in a notebook."""
+    advise_instead: Callable[[Sequence[str]], str] = advise_terminal
+    """Returns a sentence for somebody who types such a command in a notebook."""
 
     @functools.cached_property
     def executor(self) -> 'BackgroundExecutor':

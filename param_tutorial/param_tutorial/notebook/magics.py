@@ -207,7 +207,7 @@ def _parse(line: str) -> _Command:
     return _Command(rest[1:] if rest[:1] == ['ros2'] else rest, target[0] if target else None, operators == ['>>'])
 
 
-def _instead_of(words: Sequence[str]) -> str:
+def _advise_terminal(words: Sequence[str]) -> str:
     """Return a sentence on what to do instead of a command that would not let the cell end."""
     # Not param_tutorial.start(), which would first remove the nodes that are there.
     return (f'This would keep the cell busy until you interrupt it. Run it beside the notebook: '
@@ -224,7 +224,7 @@ def _run(command: _Command) -> int:
         streams = _Streams(output, sys.stderr)
         try:
             return embedded.main(command.words, Session(streams.stdout, streams.stderr, stage.current, in_notebook=True,
-                                                        instead_of=_instead_of))
+                                                        advise_instead=_advise_terminal))
         finally:
             streams.flush()
 

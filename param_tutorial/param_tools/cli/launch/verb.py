@@ -43,7 +43,7 @@ def launch_file(session: Session, args: argparse.Namespace) -> Steps:
         _show_arguments(session, load_description(path))
         return 0
     if session.in_notebook:
-        raise CommandFailed(session.instead_of(['launch', *words]))
+        raise CommandFailed(session.advise_instead(['launch', *words]))
     launcher = Launcher(session.stdout)
     launcher.log('INFO', 'launch', 'Default logging verbosity is set to INFO')
     with tempfile.TemporaryDirectory(prefix='param_tools_') as folder:
