@@ -136,8 +136,8 @@ class Copies:
         self._give(name, fresh)
         if kept is None:
             return None
-        return (f'{self._say(copy)} is now the new version. You had changed no cell; the file with your outputs is kept '
-                f'as {self._say(kept)}.')
+        return (f'{self._say(copy)} is now the new version. You had changed no cell; the file with your outputs is '
+                f'kept as {self._say(kept)}.')
 
     def _give(self, name: Path, fresh: bytes) -> None:
         """Put a fresh copy in its place; what was there is not kept."""
