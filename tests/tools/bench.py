@@ -131,45 +131,6 @@ for number in range(PROCESSES):
 result = {'magic': statistics.median(magics), 'process': statistics.median(processes)}
 '''
 
-SYSTEM = '''
-import statistics, subprocess, sys, time
-from param_tools import all_parameters, start, wait_until
-
-ROBOT = """
-import rclpy
-from rclpy.executors import SingleThreadedExecutor
-from rclpy.node import Node
-
-class Robot(Node):
-    def __init__(self, number):
-        super().__init__(f'node_{number}', enable_rosout=False)
-        for index in range(40):
-            self.declare_parameter(f'group_{index % 4}.value_{index}', float(index))
-
-rclpy.init()
-executor = SingleThreadedExecutor()
-for number in range(50):
-    executor.add_node(Robot(number))
-executor.spin()
-"""
-
-executor = start()
-robot = subprocess.Popen([sys.executable, '-c', ROBOT], stderr=subprocess.DEVNULL)
-names = [f'/node_{number}' for number in range(50)]
-try:
-    wait_until(lambda: set(names) <= set(executor.services.node_names()), 'the nodes to be there', 60)
-
-    def at_once():
-        start = time.perf_counter()
-        assert sum(map(len, all_parameters(names).values())) == 50 * 42
-        return time.perf_counter() - start
-
-    result = {'first': at_once(), 'again': statistics.median(at_once() for _ in range(ROUNDS))}
-finally:
-    robot.kill()
-    robot.wait()
-'''
-
 LARGE = (
     '# Large\nMany parameters:',
     '''import param_tutorial
@@ -238,14 +199,6 @@ def command(processes: int) -> list[Row]:
             Row('%ros2 against a new process', f'{ratio:.0f} times faster', 'at least 100 times', ratio >= 100)]
 
 
-def whole_system(rounds: int) -> list[Row]:
-    """Read 50 nodes of 40 parameters in another process at once."""
-    took = in_kernel(SYSTEM.replace('ROUNDS', str(rounds)))
-    return [Row('50 nodes of 40 parameters read at once, the first time', f'{took["first"]:.2f} s', 'at most 1 s',
-                took['first'] <= 1),
-            Row('the same, again', f'{took["again"]:.2f} s')]
-
-
 def first_panel(rounds: int) -> list[Row]:
     """Measure a lesson's start in the real JupyterLab and Chromium."""
     with _opened(lesson.LESSON) as page:
@@ -306,7 +259,7 @@ def main() -> int:
     print(f'{os.cpu_count()} cores, Python {platform.python_version()}, load {os.getloadavg()[0]:.1f}')
     is_met = True
     for measure in (lambda: latency(100 if quick else 1000), lambda: command(3 if quick else 10),
-                    lambda: whole_system(1 if quick else 5), lambda: first_panel(1 if quick else 10), large_panel):
+                    lambda: first_panel(1 if quick else 10), large_panel):
         for row in measure():
             is_met &= row.is_met
             print(f'{row.what:60} {row.figure:28} {row.bar:20} {"" if row.is_met else "NOT MET"}', flush=True)
