@@ -1,4 +1,4 @@
-"""The controls of a panel: which editor a parameter gets, what a hand enters, what springs back.
+"""The controls of a panel: which editor a parameter gets, what a person enters, what springs back.
 
 What a person does in the browser arrives as a message; ``enter`` and ``slide`` send just that.
 """
@@ -23,27 +23,21 @@ from tests.support.widgets import enter, is_locked, shows, slide
 
 NODE = '/arm'
 
-# For each parameter its editor, and the last position of its slider.
+# For each parameter its editor, the last position of its slider, and what it shows at first.
 EDITORS = {
-    'enabled': ('check', None), 'serial': ('text', None), 'joints': ('text', 3), 'offset': ('text', None),
-    'reach': ('text', 199), 'gains.kp': ('text', 4), 'gains.ki': ('text', None), 'tool': ('text', None),
-    'notes': ('lines', None), 'flags': ('text', None), 'order': ('text', None), 'limits': ('text', None),
-    'names': ('text', None), 'firmware': ('text', None), 'model': ('text', None), 'payload': ('text', None),
-    'calibrated_at': ('text', None), 'endless': ('text', None), 'fixed': ('text', None), 'huge': ('text', None),
+    'enabled': ('check', None, ('true',)), 'serial': ('text', None, ('4611686018427387905',)),
+    'joints': ('text', 3, ('5', 1)), 'offset': ('text', None, ('0.5',)), 'reach': ('text', 199, ('0.5', 49)),
+    'gains.kp': ('text', 4, ('0.3', 1)), 'gains.ki': ('text', None, ('0.0',)), 'tool': ('text', None, ('gripper',)),
+    'notes': ('lines', None, ('one\ntwo',)), 'flags': ('text', None, ('[true, false]',)),
+    'order': ('text', None, ('[3, 1, 2]',)), 'limits': ('text', None, ('[-1.5, inf]',)),
+    'names': ('text', None, ('[base, "elbow, left"]',)), 'firmware': ('text', None, ('[0x00, 0xff]',)),
+    'model': ('text', None, ('A1',)), 'payload': ('text', None, ('1.5',)), 'calibrated_at': ('text', None, ('',)),
+    'endless': ('text', None, ('1.0',)), 'fixed': ('text', None, ('7',)), 'huge': ('text', None, ('0',)),
 }
 
 
 def test_every_parameter_gets_the_editor_of_its_type_and_range(arm):
-    assert {name: (arm[name].row.editor, arm[name].row.last) for name in EDITORS} == EDITORS
-
-
-def test_what_the_controls_show_at_first(arm):
-    assert {name: shows(arm, name) for name in EDITORS} == {
-        'enabled': ('true',), 'serial': ('4611686018427387905',), 'joints': ('5', 1), 'offset': ('0.5',),
-        'reach': ('0.5', 49), 'gains.kp': ('0.3', 1), 'gains.ki': ('0.0',), 'tool': ('gripper',),
-        'notes': ('one\ntwo',), 'flags': ('[true, false]',), 'order': ('[3, 1, 2]',), 'limits': ('[-1.5, inf]',),
-        'names': ('[base, "elbow, left"]',), 'firmware': ('[0x00, 0xff]',), 'model': ('A1',), 'payload': ('1.5',),
-        'calibrated_at': ('',), 'endless': ('1.0',), 'fixed': ('7',), 'huge': ('0',)}
+    assert {name: (arm[name].row.editor, arm[name].row.last, shows(arm, name)) for name in EDITORS} == EDITORS
     assert 'value="" placeholder="not set"' in arm._front.markup
 
 
@@ -64,7 +58,7 @@ def test_what_the_controls_show_at_first(arm):
     ('payload', '[1.5, .nan]', [1.5, math.nan], ('[1.5, .nan]',)),
     ('payload', 'some words', 'some words', ('some words',)),
 ])
-def test_what_a_hand_enters_reaches_the_node_with_its_type(arm, name, entered, stored, shown):
+def test_what_is_entered_reaches_the_node_with_its_type(arm, name, entered, stored, shown):
     enter(arm, name, entered)
     arm.settle()
     assert values.same(ParameterClient(NODE).get_parameter(name), stored)
