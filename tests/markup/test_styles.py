@@ -6,19 +6,13 @@ import sys
 
 import pytest
 
-from param_tools.markup.styles import sheet, style
+from param_tools.markup.styles import style
 from tests.support.paths import PACKAGE, ROS_PACKAGE, TOOLS
 
 THEME = PACKAGE / 'site' / 'theme'
 SHEETS = {str(path.relative_to(ROS_PACKAGE)) for room in (PACKAGE, TOOLS) for path in room.rglob('*.css')
           if THEME not in path.parents}
 MODULES = {path: path.read_text() for room in (PACKAGE, TOOLS) for path in room.rglob('*.py')}
-
-
-def test_a_style_is_an_element_with_the_text_of_its_sheet():
-    text = (PACKAGE / 'views' / 'log.css').read_text()
-    assert sheet('param_tutorial/views/log.css') == text
-    assert style('param_tutorial/views/log.css') == f'<style>\n{text}</style>'
 
 
 def test_a_sheet_that_is_not_there_is_named():
@@ -32,11 +26,6 @@ def test_each_sheet_is_used_and_stands_beside_the_module_that_uses_it_or_writes_
               if ROS_PACKAGE / name in path.parent.iterdir() or (ROS_PACKAGE / name).with_suffix('.py') in MODULES}
     assert len(SHEETS) >= 10
     assert beside == SHEETS == {name for names in used.values() for name in names}
-
-
-def test_no_module_holds_a_style_sheet_of_its_own():
-    """What a module may write is the keyframes of one picture."""
-    assert [path.name for path, text in MODULES.items() if re.search(r'<style>\s*[.#@\w][^{<\']*\{', text)] == []
 
 
 def test_drawings_can_be_imported_without_ros_and_widgets():

@@ -21,17 +21,6 @@ def test_a_table_has_headings_rows_a_caption_and_a_class():
     assert {cell.tag for cell in found.iter()} == {'table', 'caption', 'thead', 'tbody', 'tr', 'th', 'td'}
 
 
-def test_the_first_cell_may_say_what_its_row_is_about():
-    first, second = parsed(table((), [('speed', '3')], row_headers=True)).find('tbody/tr')
-    assert (first.tag, first.get('scope'), first.text) == ('th', 'row', 'speed')
-    assert (second.tag, second.text) == ('td', '3')
-
-
-def test_an_empty_table_has_only_what_it_was_given():
-    assert table((), []) == '<table></table>'
-    assert [part.tag for part in parsed(table((), [], caption='nothing differs'))] == ['caption']
-
-
 def test_a_table_with_headings_has_a_body_that_takes_rows_later():
     assert [part.tag for part in parsed(table(('name',), []))] == ['thead', 'tbody']
 

@@ -6,14 +6,12 @@ What the state machine itself promises is in test_live_state; what a panel makes
 import threading
 
 import pytest
-from rclpy.node import Node
 
 import param_tutorial
-from param_tools.errors import ExecutorError, WaitTimeoutError
 from param_tools.node.client import ParameterClient
 from param_tools.node.live import LiveParameters
 from param_tools.ros.waiting import wait_until
-from tests.support.nodes import Counter, Gate
+from tests.support.nodes import Counter
 from tests.support.widgets import due_jobs
 
 TIMEOUT_SEC = 30.0
@@ -51,19 +49,6 @@ def test_a_first_look_that_is_interrupted_leaves_nobody_following(ros, follow):
     counter.set_parameter('x', 2)
     assert follow('counter').parameters['x'].value == 2
     assert len(shown) <= 2  # the schedule may have shown it at the same time
-
-
-def test_what_is_asked_for_is_on_its_way_when_the_call_returns(ros, follow):
-    node = ros.add(Gate)
-    live = follow('gate')
-    x = live.parameters['x']
-    live.ask(x, 5)
-    assert x.busy
-    assert node.entered.acquire(timeout=TIMEOUT_SEC)
-    assert node.seen == [5]
-    node.open.release()
-    wait_until(lambda: not x.busy, 'the answer', TIMEOUT_SEC)
-    assert (x.value, x.message) == (5, '')
 
 
 def test_the_lock_is_free_while_the_node_is_asked_and_while_it_is_shown(ros, monkeypatch):
@@ -107,24 +92,6 @@ def test_a_value_that_cannot_be_sent_is_reported_and_nothing_is_stuck(ros, follo
     assert (x.value, x.message) == (4, '')
 
 
-def test_settling_says_what_it_waited_for(ros, follow):
-    node = ros.add(Gate)
-    live = follow('gate')
-    live.ask(live.parameters['y'], 1)
-    with pytest.raises(WaitTimeoutError, match=r'timed out after 0 s waiting for /gate to answer y'):
-        live.settle(0.0)
-    node.open.release()
-    live.settle(TIMEOUT_SEC)
-    assert live.parameters['y'].value == 1
-
-
-def test_a_callback_cannot_settle(ros, follow):
-    ros.add(Counter)
-    live = follow('counter')
-    with pytest.raises(ExecutorError, match='a callback cannot wait'):
-        ros.run(lambda: live.settle(1.0), 'settle')
-
-
 def test_it_survives_the_executor(ros, follow):
     ros.add(Counter)
     live = follow('counter')
@@ -136,11 +103,3 @@ def test_it_survives_the_executor(ros, follow):
     live.settle(TIMEOUT_SEC)
     assert (live.status, live.parameters['x'].message) == ('', '')
     assert live.shown[-1]['x'] == 0
-
-
-def test_a_name_that_no_node_can_have_disturbs_nobody(ros, follow, capsys):
-    live = follow('no such name')
-    assert 'there is no node /no such name' in live.status
-    ros.add(Node, 'other')  # the news of it comes to all that follow something
-    assert list(ros.errors) == []
-    assert 'Traceback' not in capsys.readouterr().err
