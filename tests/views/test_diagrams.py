@@ -144,30 +144,19 @@ def test_declarations_show_defaults_overrides_and_what_bounces(ros):
     assert ParameterClient('/weather').get_parameter('high_c') == 35
 
 
-class Copies(Node):
-    def __init__(self):
-        super().__init__('copies')
+class Mover(Node):
+    def __init__(self, name):
+        super().__init__(name)
         self.speed = self.declare_parameter('speed', 1).value
         self.used = 0
         self.create_timer(0.01, self.drive)
 
     def drive(self):
-        self.used = self.speed
-
-
-class Reads(Node):
-    def __init__(self):
-        super().__init__('reads')
-        self.declare_parameter('speed', 1)
-        self.used = 0
-        self.create_timer(0.01, self.drive)
-
-    def drive(self):
-        self.used = self.get_parameter('speed').value
+        self.used = self.speed if self.get_name() == 'copies' else self.get_parameter('speed').value
 
 
 def test_a_new_value_stops_at_the_parameter_of_the_node_that_copies(ros):
-    copies, reads = ros.add(Copies), ros.add(Reads)
+    copies, reads = ros.add(Mover, 'copies'), ros.add(Mover, 'reads')
     wait_until(lambda: copies.used == reads.used == 1, 'both to use the first value')
     view = views.CopiesView(copies, reads, 'speed', used='used')
     view.set_parameter(2)

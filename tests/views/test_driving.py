@@ -10,12 +10,11 @@ from hypothesis import strategies as st
 from rclpy.node import Node
 
 from param_tools.errors import NodeNotFoundError
-from param_tutorial import ParameterClient, wait_until
+from param_tutorial import ParameterClient, ParameterPanel, wait_until
 from param_tutorial.nodes.cart_node import CartNode
-from param_tutorial.nodes.clawbot_node import ClawbotNode, Settings, State, plan
-from param_tutorial.views import CartView, RobotView
+from param_tutorial.nodes.clawbot_node import ClawbotNode, Settings, plan
+from param_tutorial.views import CartView, RobotView, SideBySide
 from param_tutorial.views import cart as cart_module
-from param_tutorial.views.cart import cart_on_trip
 from param_tutorial.views.drawing import driving
 from param_tutorial.views.drawing.robot import Robot
 from tests.support.widgets import press
@@ -54,22 +53,6 @@ def test_the_bar_before_the_robot_is_the_way_in_which_it_would_stop():
         assert way_m == pytest.approx(moment.state.velocity_mps ** 2 / (2 * 0.5), abs=1e-3)
         if moment.state.word == 'BRAKING':
             assert moment.state.position_m + facts.stopping_m(moment.state) == pytest.approx(FAST.stop_m)
-
-
-def test_scenes_tell_when_what_it_does_changes_and_how_it_leans():
-    times, states, _, _, leans = zip(*(robot_on(plan(0.0, 0.0, FAST)).at(second).scene for second in (0, 2.5, 4, 9)))
-    assert states == ('SPEEDING UP', 'CRUISING', 'BRAKING', 'STOPPED')
-    assert times == pytest.approx((0.0, 2.5, 4.0, 5.8))
-    lean = math.atan(0.5 / 9.81)
-    assert leans == pytest.approx((-lean, 0.0, lean, 0.0), abs=1e-4)
-
-
-@pytest.mark.parametrize(('speed', 'acceleration', 'seconds'), [(1.0, 0.5, 14.0), (1.4, 0.98, 10.0), (2.0, 1.0, 8.0)])
-def test_a_trip_of_the_cart_takes_as_long_as_the_node_says(speed, acceleration, seconds):
-    cart = cart_on_trip('/cart', speed, acceleration)
-    assert cart.motion.duration_sec == pytest.approx(seconds, abs=1e-9)
-    assert cart.motion.end == State('STOPPED', pytest.approx(12.0))
-    assert cart.at(math.inf).sentence == f'cart has reached the end of the aisle after {seconds:.2f} s.'
 
 
 # -- the view of the robot -----------------------------------------------------------------------------------
@@ -194,3 +177,21 @@ def test_it_shows_a_cart_that_is_being_built_and_says_what_is_missing(ros):
     assert view._front.scene == []  # so its button is disabled
     ParameterClient('/my_cart').set_parameter('max_acceleration_mps2', 0.5)
     shows(view, 'READY')
+
+
+# -- beside a panel -------------------------------------------------------------------------------------------
+
+def test_closing_it_leaves_its_views_and_a_view_that_is_closed_leaves_it_before(robot):
+    view, panel = RobotView(robot), ParameterPanel(robot, names=['max_speed_rpm', 'enable_safety_mode'])
+    first, second = SideBySide(view, panel), SideBySide(view, panel)
+    assert repr(first) == '<SideBySide: RobotView of /clawbot_node and ParameterPanel of /clawbot_node>'
+    first.close()
+    first.close()
+    assert first.comm is None and first._box.children == () and view.comm is not None
+    assert second._box.children == (view, panel)
+    open_then = []
+    second._box.observe(lambda change: open_then.append(view.comm is not None), 'children')
+    view.close()
+    assert second._box.children == (panel,) and open_then == [True]
+    second.close()
+    assert len(panel._on_close) == 0
