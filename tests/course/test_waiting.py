@@ -84,12 +84,10 @@ SINGLE, MULTI = (SingleThreadedExecutor, {}), (MultiThreadedExecutor, {'num_thre
 
 @pytest.mark.slow
 @pytest.mark.parametrize(('tick', 'asks', 'own_group', 'executor', 'expected'), [
-    ('call', 'other', None, SINGLE, False), ('call', 'other', None, MULTI, False),
-    ('call', 'other', 'timer', SINGLE, False), ('call', 'other', 'timer', MULTI, True),
-    ('call', 'other', 'client', SINGLE, False), ('call', 'other', 'client', MULTI, True),
-    ('await_', 'other', None, SINGLE, False), ('await_', 'other', None, MULTI, False),
-    ('await_', 'other', 'timer', SINGLE, True), ('await_', 'other', 'timer', MULTI, True),
-    ('await_', 'other', 'client', SINGLE, True), ('await_', 'other', 'client', MULTI, True),
+    ('call', 'other', None, MULTI, False), ('call', 'other', 'timer', SINGLE, False),
+    ('call', 'other', 'timer', MULTI, True), ('call', 'other', 'client', MULTI, True),
+    ('await_', 'other', None, MULTI, False), ('await_', 'other', 'timer', SINGLE, True),
+    ('await_', 'other', 'client', SINGLE, True),
     # The services of a node that asks itself are in the default group, too.
     ('await_', 'asking', 'timer', SINGLE, True), ('await_', 'asking', 'client', SINGLE, False),
 ])
