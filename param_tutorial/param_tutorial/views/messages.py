@@ -4,19 +4,21 @@ from typing import Any
 
 from rcl_interfaces.msg import ParameterEvent
 from rclpy.node import Node
+from rclpy.qos import QoSProfile
+from rclpy.subscription import Subscription
 
 from param_tools import values
 from param_tools.errors import NodeNotFoundError
 from param_tools.node.client import ParameterClient
 from param_tools.ros import stage
+from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.waiting import wait_until
-from param_tutorial.views.base import PictureView
+from param_tutorial.views.base import PictureView, name_of
 from param_tutorial.views.drawing.diagram import Diagram
 from param_tutorial.views.drawing.messages import draw_messages
 from param_tutorial.views.events import EventRow, changes_in
 from param_tutorial.views.handle import Choosing
-from param_tutorial.views.listeners import POLICIES, qos_words, subscribe_again, subscriptions
-from param_tutorial.views.ros_graph import ends_of_parameter_events
+from param_tutorial.views.ros_graph import POLICIES, TOPIC, ends_of_parameter_events, qos_words
 
 
 class MessageView(PictureView):
@@ -68,14 +70,39 @@ class MessageView(PictureView):
                                                  else f' = {values.format_value(each.value, 40)}')
                    for each in (heard[0] if heard else ())]
         self._choosing.things = {name: qos_words(each.qos_profile)
-                                 for name, (_, each) in sorted(subscriptions(ros).items())}
+                                 for name, (_, each) in sorted(_subscriptions(ros).items())}
         return draw_messages(publishers, subscribers, sender if content else '', content, offers=offers)
 
     def _subscribe_again(self, chosen: tuple[str, str, str]) -> str:
         name, policy, word = chosen
         ros = stage.current()
-        here = subscriptions(ros)
+        here = _subscriptions(ros)
         if name not in here:
             raise NodeNotFoundError(name, list(here))
-        subscribe_again(ros, *here[name], policy, word)
+        _subscribe_again(ros, *here[name], policy, word)
         return self._replace(self._ask_node())
+
+
+def _subscriptions(ros: BackgroundExecutor) -> dict[str, tuple[Node, Subscription]]:
+    """Return the nodes on the stage that subscribe, by name, each with its first subscription."""
+    found: dict[str, tuple[Node, Subscription]] = {}
+    for node in ros.nodes:
+        for each in node.subscriptions:
+            if each.topic_name == TOPIC:
+                found.setdefault(name_of(node), (node, each))
+    return found
+
+
+def _subscribe_again(ros: BackgroundExecutor, node: Node, old: Subscription, policy: str, word: str) -> None:
+    """Replace a node's subscription by one that differs in a single policy."""
+    def exchange() -> None:
+        before = old.qos_profile
+        profile = QoSProfile(**{'history': before.history, 'depth': before.depth, 'reliability': before.reliability,
+                                'durability': before.durability, policy: POLICIES[policy][word]})
+        new = node.create_subscription(old.msg_type, TOPIC, old.callback, profile, callback_group=old.callback_group,
+                                       raw=old.raw)
+        for name, value in list(vars(node).items()):
+            if value is old:
+                setattr(node, name, new)
+        node.destroy_subscription(old)
+    ros.run(exchange, f'subscribe to {TOPIC}')

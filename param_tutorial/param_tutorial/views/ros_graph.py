@@ -2,9 +2,10 @@
 
 import re
 from collections.abc import Iterator
+from typing import Any
 
 from rclpy.node import Node
-from rclpy.qos import QoSCompatibility, qos_check_compatible
+from rclpy.qos import DurabilityPolicy, QoSCompatibility, QoSProfile, ReliabilityPolicy, qos_check_compatible
 from rclpy.topic_endpoint_info import TopicEndpointInfo
 
 from param_tools.ros import stage
@@ -12,7 +13,12 @@ from param_tools.ros.graph import name_of
 from param_tools.ros.service_types import SERVICE_TYPES
 from param_tutorial.views.drawing.messages import Listener
 from param_tutorial.views.drawing.ros_graph import NodeGraph
-from param_tutorial.views.listeners import TOPIC, qos_words
+
+TOPIC = '/parameter_events'
+POLICIES: dict[str, dict[str, Any]] = {
+    'reliability': {'reliable': ReliabilityPolicy.RELIABLE, 'best effort': ReliabilityPolicy.BEST_EFFORT},
+    'durability': {'volatile': DurabilityPolicy.VOLATILE, 'transient local': DurabilityPolicy.TRANSIENT_LOCAL}}
+"""What a listener may ask for, in words; the usual QoS comes first."""
 
 _NOTEBOOK = 'this notebook'
 # The DDS topic on which the requests for a parameter service travel (https://design.ros2.org/articles/
@@ -62,6 +68,11 @@ def ends_of_parameter_events(observer: Node) -> tuple[list[str], str, dict[str, 
             if reached or name not in listens:
                 listens[name] = Listener(asks, '' if reached else 'incompatible QoS')
     return sorted({*_display_names(publishers, observer)} - {_NOTEBOOK}), ' or '.join(offers), listens
+
+
+def qos_words(profile: QoSProfile) -> dict[str, str]:
+    """Return, in words, the two policies that decide whether messages arrive."""
+    return {policy: getattr(profile, policy).name.lower().replace('_', ' ') for policy in POLICIES}
 
 
 def _display_names(endpoints: list[TopicEndpointInfo], observer: Node) -> Iterator[str]:
