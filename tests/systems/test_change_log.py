@@ -110,7 +110,8 @@ def find(changes, **wanted):
 
 
 def test_each_change_is_reported_with_its_old_and_new_value(ros, changes):
-    assert [each.new for each in find(changes, kind='seen', node='/arm', name='offset')] == [0.5]
+    # As read, or as declared: the node has just started.
+    assert [(each.old, each.new) for each in find(changes, node='/arm', name='offset')] == [(None, 0.5)]
     client = ParameterClient('/arm')
     client.set_parameters({'offset': 0.75, 'tool': 'hook'})
     client.set_parameter('payload', 'heavy')
