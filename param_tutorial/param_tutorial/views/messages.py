@@ -68,7 +68,7 @@ class MessageView(PictureView):
             stop_listening()
         content = [f'{each.kind} {each.name}' + ('' if each.kind == 'deleted'
                                                  else f' = {values.format_value(each.value, 40)}')
-                   for each in (heard[0] if heard else ())]
+                   for each in (heard[0] if self._result.successful else ())]
         self._choosing.things = {name: qos_words(each.qos_profile)
                                  for name, (_, each) in sorted(_subscriptions(ros).items())}
         return draw_messages(publishers, subscribers, sender if content else '', content, offers=offers)
