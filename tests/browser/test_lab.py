@@ -164,18 +164,3 @@ def test_a_second_view_of_a_panel_changes_nothing(open_lesson):
     expect(page.page.get_by_role('log')).to_contain_text('robot_name is now Second')
     expect(page.box('robot_name')).to_have_value('Second')
     assert value(lab, 'max_acceleration_mps2') == 0.123456
-
-
-@pytest.mark.thorough
-def test_the_log_and_the_panel_after_running_all_cells_again(open_lesson):
-    _, page = open_lesson
-    page.box('robot_name').fill('Rex <b>')
-    page.box('robot_name').press('Enter')
-    log = page.page.get_by_role('log')
-    expect(log).to_contain_text('[INFO] [simple_param_node]: robot_name is now Rex <b>')
-    page.run_all()
-    expect(page.page.locator('.param-panel')).to_have_count(1)
-    expect(page.box('robot_name')).to_have_value('Clawbot')
-    page.box('robot_name').fill('Max')
-    page.box('robot_name').press('Enter')
-    expect(page.page.get_by_role('log')).to_contain_text('robot_name is now Max')

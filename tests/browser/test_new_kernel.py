@@ -1,4 +1,4 @@
-"""What the course adds to JupyterLab: what a notebook shows whose kernel has ended, and stored pictures that scroll."""
+"""What the course adds to JupyterLab: what a notebook shows whose kernel has ended."""
 
 import pytest
 from playwright.sync_api import Page, expect
@@ -76,16 +76,3 @@ def test_a_name_that_a_cell_above_defines_is_an_error_that_says_so(lab, browser)
     output = notebook.page.locator('.jp-CodeCell').nth(2).locator('.jp-OutputArea-output')
     expect(output.first).to_contain_text("NameError: name 'panel' is not defined")
     expect(output.last).to_have_text('If a cell above defines panel, run it first: Run → Run All Above Selected Cell.')
-
-
-def test_a_stored_picture_keeps_the_size_of_its_letters_in_a_narrow_window(tmp_path, browser):
-    path = lesson.write(tmp_path / 'picture.ipynb', (
-        "from param_tutorial.views import LinePlot\n\nLinePlot({'a': [(0, 0), (1, 2)]}, x='time in s', y='speed')",))
-    with CourseLab(tmp_path / 'lab', [path]) as lab:
-        notebook = LabPage(lab, browser, 'picture.ipynb')
-        notebook.run_all()
-        notebook.page.set_viewport_size({'width': 390, 'height': 800})
-        picture = notebook.page.locator('.jp-RenderedHTML > svg')
-        wait_for(lambda: picture.evaluate(
-            'each => each.getBoundingClientRect().width === each.width.baseVal.value'), 'the picture in its full width')
-        assert picture.evaluate('each => each.parentElement.scrollWidth > each.parentElement.clientWidth')

@@ -1,7 +1,7 @@
 """The course for any browser, as learners work with it: the built site in real Chromium and Firefox, with clicks.
 
-What each cell prints is tests/page/test_chapters.py's; here are the page around the kernel, the files that stay in the
-browser, and the network that nobody reaches.
+What each cell prints is compared when `make html` runs the chapters; here are the page around the kernel, the files
+that stay in the browser, and the network that nobody reaches.
 """
 
 import contextlib
@@ -41,12 +41,9 @@ class Chapter(NamedTuple):
 
 CHAPTERS = (
     Chapter('01_what_are_parameters.ipynb', '/clawbot_node', 'max_speed_rpm', '1-1', '1c'),
-    Chapter('03_declaring.ipynb', '/simple_param_node', 'max_acceleration_mps2', '3-1', '3b'),
-    Chapter('05_1_from_the_command_line.ipynb', '/simple_param_node', 'enable_safety_mode', '5.1-1', '5.1b'),
-    Chapter('05_2_with_a_callback.ipynb', '/simple_param_node', 'max_acceleration_mps2', '5.2-1', '5.2a'),
     Chapter('06_1_descriptors_and_ranges.ipynb', '/gripper', 'force_n', '6.1-1', '6.1a'),
 )
-FIRST, UNTOUCHED, LAST = CHAPTERS[0], '04_retrieving.ipynb', CHAPTERS[-1]
+FIRST, UNTOUCHED = CHAPTERS[0], '04_retrieving.ipynb'
 
 # In the page: the open notebook, and what a test asks of it.
 HELP = '''window.test = {
@@ -110,10 +107,6 @@ class ChromiumPage:
     def wait_for(self, expression):
         self._page.wait_for_function(f'() => Boolean({expression})')
 
-    def press(self, *keys):
-        for key in keys:
-            self._page.keyboard.press(key)
-
 
 @pytest.fixture(scope='module')
 def built(tmp_path_factory):
@@ -121,12 +114,6 @@ def built(tmp_path_factory):
     folder = tmp_path_factory.mktemp('lite') / 'site'
     lite.build(folder)
     return folder
-
-
-@pytest.fixture
-def site(built):
-    with Server(built) as server:
-        yield server
 
 
 class Visit:
@@ -218,144 +205,130 @@ def in_firefox(folder):
         yield page
 
 
-class Visits:
-    browser = None
-
-    @pytest.fixture
-    def visit(self, site, tmp_path):
-        with type(self).browser(tmp_path) as page:
-            yield Visit(page, site)
-
-
-class VisitsOfLearners(Visits):
+@pytest.mark.parametrize(('browser', 'chapters'), [(in_chromium, CHAPTERS), (in_firefox, CHAPTERS[:1])])
+def test_chapters_worked_through_and_gone_on_with_without_a_network(browser, chapters, built, tmp_path):
     """The first visit of a learner, from the link on, as one test: a kernel takes long to come."""
-
-    def test_five_chapters_worked_through_and_gone_on_with_without_a_network(self, visit, built, tmp_path):
-        page = visit.page
+    with Server(built) as site, browser(tmp_path) as page:
+        visit = Visit(page, site)
         visit.load('')
         page.wait_for("document.querySelector('.jp-MarkdownViewer img')?.naturalWidth > 0")
         page.click('.jp-MarkdownViewer a[href*="01_what"]')
         visit.wait_for_kernel(FIRST.name)
         # Now, since no service worker stood between page and server when the page came.
-        self._reach_nobody(visit, tmp_path)
-        for chapter in CHAPTERS:
+        reach_nobody(visit, tmp_path)
+        for chapter in chapters:
             if chapter is not FIRST:
                 visit.close()
                 visit.open(chapter.name)
-            self._work_through(visit, chapter)
-        self._pull_the_cable(visit, built)
-        self._go_on(visit)
-        if self.browser is in_chromium:  # Firefox names no source, so what is JupyterLab's own can't be told apart
+            work_through(visit, chapter)
+        pull_the_cable(visit, built)
+        go_on(visit, chapters)
+        if browser is in_chromium:  # Firefox names no source, so what is JupyterLab's own can't be told apart
             assert visit.complaints() == []
 
-    def _reach_nobody(self, visit, folder):
-        with Server(folder) as outside:
-            for code in (f'import js; await js.fetch({outside.url!r})',
-                         f'import pyodide.http; await pyodide.http.pyfetch({outside.url!r})',
-                         f'import pyodide.http; pyodide.http.open_url({outside.url!r})',
-                         f'import urllib.request; urllib.request.urlopen({outside.url!r})'):
-                assert visit.ask(f'{code}\nprint("reached")') not in ('', 'reached'), code
-            assert visit.page.evaluate(
-                f'fetch({json.dumps(outside.url)}).then(() => "reached", error => "forbidden")') == 'forbidden'
-        assert outside.asked == []
 
-    def _work_through(self, visit, chapter):
-        assert visit.ask('import os; print(os.getcwd(), os.path.exists("index.md"))') == '/drive True'
-        panel, question = visit.cell('ParameterPanel('), visit.cell(f"predict('{chapter.prediction}')")
-        done = -1
-        for index, use in sorted([(panel, self._use_panel), (question, self._predict)], key=lambda each: each[0]):
-            visit.run_between(done + 1, index)
-            done = use(visit, index, chapter)
-        self._solve(visit, chapter)
-
-    def _use_panel(self, visit, index, chapter):
-        before = self._value(visit, chapter)
-        # A prediction that was not committed to hides what follows it.
-        skips = "document.querySelectorAll('.param-veils .param-predict-skip')"
-        visit.page.evaluate(f'{skips}.forEach(each => each.click())')
-        visit.click(index, f'.param-row[data-name="{chapter.parameter}"] input:is([type=range], [type=checkbox])')
-        lab.wait_for(lambda: self._value(visit, chapter) != before, 'the node to have what its control says')
-        if chapter is FIRST:
-            visit.click(index, '.robot-view button, .robot-stage button')
-            visit.wait_for_text(index, 'has stopped')
-        return index
-
-    def _value(self, visit, chapter):
-        return visit.ask(f'import param_tutorial as it\n'
-                         f'print(it.ParameterClient({chapter.node!r}).get_parameter({chapter.parameter!r}))')
-
-    def _predict(self, visit, index, chapter):
-        prediction = PREDICTIONS[chapter.prediction]
-        right = next(position for position, each in enumerate(prediction.choices) if each.is_right)
-        is_veiled = f'test.cells[{index + 1}].hasClass("param-veiled")'
-        assert visit.page.evaluate(is_veiled)
-        if prediction.is_typed:
-            visit.click(index, 'input[type=text]')
-            visit.page.press(*prediction.choices[right].text)
-        else:
-            visit.click(index, 'input[type=radio]', right)
-        visit.click(index, 'button')
-        visit.wait_for_text(index, 'Now run the next cell.')
-        visit.page.wait_for(f'!{is_veiled}')
-        after = visit.page.evaluate(
-            f'test.cells.findIndex((cell, index) => index > {index} && test.isCode(cell))')
-        visit.run(after)
-        visit.wait_for_text(index, 'Right.')
-        return after
-
-    def _solve(self, visit, chapter):
-        solutions = nbformat.read(ROOT / 'notebooks' / 'solutions' / chapter.name, as_version=4).cells
-        imports, *code = [cell.source for cell in solutions if cell.cell_type == 'code']
-        check = next(position for position, source in enumerate(code) if f"check('{chapter.exercise}'" in source)
-        index = visit.cell(f"check('{chapter.exercise}'")
-        given = visit.page.evaluate(f'test.cells[{index - 1}].model.sharedModel.source')
-        for work, verdict in ((given, 'not yet'), (code[check - 1], 'done')):
-            visit.write(index - 1, f'{imports}\n{work}')
-            visit.run(index - 1)
-            visit.run(index)
-            visit.wait_for_text(index, f'Exercise {chapter.exercise}: {verdict}')
-
-    def _pull_the_cable(self, visit, built):
-        files = re.search(r'FILES = .*?(\[".*?"\])', (built / 'service-worker.js').read_text())[1]
-        lab.wait_for(lambda: visit.page.evaluate(
-            'caches.keys().then(([name]) => caches.open(name)).then(kept => Promise.all('
-            f'{files}.map(file => kept.match(new URL(file, {json.dumps(visit.site.url)})))'
-            ')).then(all => all.every(Boolean))'
-        ), 'the browser to keep all files')
-        visit.site.stop()
-
-    def _go_on(self, visit):
-        index = visit.cell(f"check('{LAST.exercise}'")
-        visit.write(index - 1, '# mine')
-        visit.page.evaluate('test.panel.context.save().then(() => null)')
-        visit.reload(LAST.name)
-        assert visit.page.evaluate('navigator.serviceWorker.getRegistrations().then(all => all.length)') == 1
-        assert visit.page.evaluate(f'test.cells[{index - 1}].model.sharedModel.source') == '# mine'
-        visit.run(visit.cell('import param_tutorial'))
-        visit.run(visit.cell('from param_tutorial import exercises'))
-        assert '1 of 3 exercises solved, 1 of ' in visit.run(visit.cell('exercises.progress('))
-        progress = json.loads(visit.read('progress.json'))
-        assert set(progress['solved']) == {each.exercise for each in CHAPTERS}
-        assert {number: each['right'] for number, each in progress['predicted'].items()} == {
-            each.prediction: True for each in CHAPTERS}
-        assert '| 1 1/3 | [What parameters are]' in visit.read('index.md')
-
-
-class TestInFirefox(VisitsOfLearners):
-    browser = staticmethod(in_firefox)
-
-
-class TestInChromium(VisitsOfLearners):
-    browser = staticmethod(in_chromium)
-
-
-class TestALink(Visits):
-    browser = staticmethod(in_chromium)
-
-    def test_a_link_runs_no_code(self, visit):
+def test_a_link_runs_no_code(built, tmp_path):
+    with Server(built) as site, in_chromium(tmp_path) as page:
+        visit = Visit(page, site)
         visit.load(f'lab/index.html?path={UNTOUCHED}')
         visit.wait_for_kernel(UNTOUCHED)
         assert visit.page.evaluate("""test.cells.filter(
             cell => cell.model.executionCount || cell.model.outputs?.length).length""") == 0
         assert visit.ask("print('param_tutorial' in globals())") == 'False'
         assert visit.complaints() == []
+
+
+def reach_nobody(visit, folder):
+    with Server(folder) as outside:
+        for code in (f'import js; await js.fetch({outside.url!r})',
+                     f'import pyodide.http; await pyodide.http.pyfetch({outside.url!r})',
+                     f'import pyodide.http; pyodide.http.open_url({outside.url!r})',
+                     f'import urllib.request; urllib.request.urlopen({outside.url!r})'):
+            assert visit.ask(f'{code}\nprint("reached")') not in ('', 'reached'), code
+        assert visit.page.evaluate(
+            f'fetch({json.dumps(outside.url)}).then(() => "reached", error => "forbidden")') == 'forbidden'
+    assert outside.asked == []
+
+
+def work_through(visit, chapter):
+    assert visit.ask('import os; print(os.getcwd(), os.path.exists("index.md"))') == '/drive True'
+    panel, question = visit.cell('ParameterPanel('), visit.cell(f"predict('{chapter.prediction}')")
+    done = -1
+    for index, use in sorted([(panel, use_panel), (question, predict)], key=lambda each: each[0]):
+        visit.run_between(done + 1, index)
+        done = use(visit, index, chapter)
+    solve(visit, chapter)
+
+
+def use_panel(visit, index, chapter):
+    before = value_of(visit, chapter)
+    # A prediction that was not committed to hides what follows it.
+    skips = "document.querySelectorAll('.param-veils .param-predict-skip')"
+    visit.page.evaluate(f'{skips}.forEach(each => each.click())')
+    visit.click(index, f'.param-row[data-name="{chapter.parameter}"] input:is([type=range], [type=checkbox])')
+    lab.wait_for(lambda: value_of(visit, chapter) != before, 'the node to have what its control says')
+    if chapter is FIRST:
+        visit.click(index, '.robot-view button, .robot-stage button')
+        visit.wait_for_text(index, 'has stopped')
+    return index
+
+
+def value_of(visit, chapter):
+    return visit.ask(f'import param_tutorial as it\n'
+                     f'print(it.ParameterClient({chapter.node!r}).get_parameter({chapter.parameter!r}))')
+
+
+def predict(visit, index, chapter):
+    prediction = PREDICTIONS[chapter.prediction]
+    right = next(position for position, each in enumerate(prediction.choices) if each.is_right)
+    is_veiled = f'test.cells[{index + 1}].hasClass("param-veiled")'
+    assert visit.page.evaluate(is_veiled)
+    visit.click(index, 'input[type=radio]', right)
+    visit.click(index, 'button')
+    visit.wait_for_text(index, 'Now run the next cell.')
+    visit.page.wait_for(f'!{is_veiled}')
+    after = visit.page.evaluate(
+        f'test.cells.findIndex((cell, index) => index > {index} && test.isCode(cell))')
+    visit.run(after)
+    visit.wait_for_text(index, 'Right.')
+    return after
+
+
+def solve(visit, chapter):
+    solutions = nbformat.read(ROOT / 'notebooks' / 'solutions' / chapter.name, as_version=4).cells
+    imports, *code = [cell.source for cell in solutions if cell.cell_type == 'code']
+    check = next(position for position, source in enumerate(code) if f"check('{chapter.exercise}'" in source)
+    index = visit.cell(f"check('{chapter.exercise}'")
+    given = visit.page.evaluate(f'test.cells[{index - 1}].model.sharedModel.source')
+    for work, verdict in ((given, 'not yet'), (code[check - 1], 'done')):
+        visit.write(index - 1, f'{imports}\n{work}')
+        visit.run(index - 1)
+        visit.run(index)
+        visit.wait_for_text(index, f'Exercise {chapter.exercise}: {verdict}')
+
+
+def pull_the_cable(visit, built):
+    files = re.search(r'FILES = .*?(\[".*?"\])', (built / 'service-worker.js').read_text())[1]
+    lab.wait_for(lambda: visit.page.evaluate(
+        'caches.keys().then(([name]) => caches.open(name)).then(kept => Promise.all('
+        f'{files}.map(file => kept.match(new URL(file, {json.dumps(visit.site.url)})))'
+        ')).then(all => all.every(Boolean))'
+    ), 'the browser to keep all files')
+    visit.site.stop()
+
+
+def go_on(visit, chapters):
+    index = visit.cell(f"check('{chapters[-1].exercise}'")
+    visit.write(index - 1, '# mine')
+    visit.page.evaluate('test.panel.context.save().then(() => null)')
+    visit.reload(chapters[-1].name)
+    assert visit.page.evaluate('navigator.serviceWorker.getRegistrations().then(all => all.length)') == 1
+    assert visit.page.evaluate(f'test.cells[{index - 1}].model.sharedModel.source') == '# mine'
+    visit.run(visit.cell('import param_tutorial'))
+    visit.run(visit.cell('from param_tutorial import exercises'))
+    assert '1 of 3 exercises solved, 1 of ' in visit.run(visit.cell('exercises.progress('))
+    progress = json.loads(visit.read('progress.json'))
+    assert set(progress['solved']) == {each.exercise for each in chapters}
+    assert {number: each['right'] for number, each in progress['predicted'].items()} == {
+        each.prediction: True for each in chapters}
+    assert '| 1 1/3 | [What parameters are]' in visit.read('index.md')

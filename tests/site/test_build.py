@@ -37,7 +37,7 @@ def test_the_old_site_stays_until_the_new_one_is_whole(tmp_path, monkeypatch):
 
 @pytest.mark.slow
 @pytest.mark.thorough
-@pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+@pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGKILL])
 def test_no_process_outlives_a_build(tmp_path, number):
     if not page_python.PYODIDE.exists():
         missing.skip('there is no Pyodide in environment/node_modules: `make html` gets it')

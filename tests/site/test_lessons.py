@@ -50,12 +50,6 @@ def test_links_of_a_chapter_alone(tmp_path):
     assert 'as of 2026-01-02 (abc1234). It ran on Python 3.12.1' in cells[1].outputs[0].data['text/html']
 
 
-def test_links_of_a_chapter_alone_lead_to_the_site_if_one_knows_where_that_is(tmp_path):
-    text = linked(tmp_path, LINKS, {'3_c'}, alone=FACTS, address='https://x.org/')[0].source
-    assert ('[b](https://x.org/2_b.html#Top) [z](https://x.org/9_z.html) '
-            '<a href="https://x.org/notebooks/solutions/3_c.ipynb" download>s</a> [w]') in text
-
-
 def test_a_link_to_a_notebook_that_is_not_there_stops_the_build(tmp_path):
     with pytest.raises(writing.BuildError, match=r'^3_c\.ipynb links to 4_d\.ipynb, which is not there\.$'):
         linked(tmp_path, '[d](4_d.ipynb)', {'3_c', '4_d'})
