@@ -6,6 +6,7 @@ The learner's copies and progress stay in the browser. Any server of static file
 """
 
 import hashlib
+import importlib.metadata
 import json
 import shutil
 import subprocess
@@ -16,7 +17,7 @@ from pathlib import Path
 
 from param_tutorial.learner.copies import Copies
 from param_tutorial.site.archive import ROOT
-from param_tutorial.site.browser import licenses, page_python
+from param_tutorial.site.browser import page_python
 from param_tutorial.site.replacing import replace
 
 TARGET = ROOT / 'build' / 'lite'
@@ -43,6 +44,14 @@ The nodes of a notebook live in its tab, with ROS 2's own Python library and wit
 shell says so, and shows what it prints on a computer that has one.
 '''
 
+_LICENSES = '''# What comes into the page
+
+The course is under Apache-2.0, Pyodide {pyodide} under MPL-2.0, and CPython under PSF-2.0. JupyterLite and JupyterLab
+are under BSD-3-Clause; what they contain is listed in `build/third-party-licenses.json`. What each package states of
+itself:
+
+{packages}'''
+
 
 def build(target: Path) -> None:
     """Build the site into a folder; the one of before stays until the new one is whole.
@@ -65,16 +74,23 @@ def build(target: Path) -> None:
                         '--lite-dir', lite, '--contents', files, '--output-dir', site, '--apps', 'lab',
                         '--no-sourcemaps'], check=True, cwd=folder, stdout=subprocess.DEVNULL)
         Path(folder, PYODIDE).rename(site / PYODIDE)
-        _write_licenses(site)
+        (site / 'LICENSES.md').write_text(_licenses(), encoding='utf-8')
         _finish(site)
         replace(site, target)
 
 
-def _write_licenses(site: Path) -> None:
-    (site / 'LICENSES.md').write_text(
-        f'# What comes into the page\n\nThe course is under Apache-2.0. What each package states of itself:\n\n'
-        f'{licenses.table(licenses.of_a_page())}\nJupyterLite and JupyterLab are under BSD-3-Clause; what they '
-        f'contain is listed in `build/third-party-licenses.json`.\n', encoding='utf-8')
+def _licenses() -> str:
+    """Return the license that each package in the page states, in Markdown."""
+    found = [importlib.metadata.distribution(name) for name in page_python.installed_distributions()]
+    found += importlib.metadata.distributions(path=list(map(str, page_python.wheels())))
+    lines = []
+    for each in sorted(found, key=lambda each: each.name.lower()):
+        about = each.metadata
+        stated = about['License-Expression'] or ' or '.join(
+            kind.split(' :: ')[-1] for kind in about.get_all('Classifier', []) if kind.startswith('License :: ')
+        ) or (about['License'] or 'see its files').splitlines()[0]
+        lines.append(f'- {each.name} {each.version}: {stated}\n')
+    return _LICENSES.format(packages=''.join(lines), pyodide=page_python.PYODIDE_VERSION)
 
 
 def _adapt(files: Path) -> None:
