@@ -7,7 +7,7 @@
     comparison   a cell's outputs beside the stored ones
     live/        the kernel of a page: runs the chapters when the site is built, and for the reader in the page
     pages/       chapters as pages, written by Sphinx
-    scripts/     what a page does beside running cells: predictions, progress, search
+    scripts/     what a page does beside running cells: predictions and progress
     browser/     the Python of a page, and JupyterLite
     theme/       Sphinx's configuration, and the site's style
 

@@ -7,7 +7,6 @@ The site is written beside the old one and takes its place when it is whole; wha
 one as it was.
 """
 
-import html
 from pathlib import Path
 
 import nbformat
@@ -39,18 +38,16 @@ class Site:
     """One build: which notebooks, and where everything goes."""
 
     def __init__(self, notebooks: Path, target: Path, work: Path, names: list[str] | None = None, *,
-                 address: str = '', has_lab: bool = False):
+                 has_lab: bool = False):
         """
         :param notebooks: The folder of the chapters.
         :param target: Where the site will be.
         :param work: Where runs of chapters and Sphinx's memory are kept from one build to the next.
         :param names: What the names of the wanted chapters begin with; by default all.
-        :param address: Where the site will be on the web, for search engines; by default nobody knows.
         :param has_lab: True if JupyterLab for the browser is a part of the site.
         :raises BuildError: there is no such chapter.
         """
         self._has_lab = has_lab
-        self.address = f'{address.rstrip("/")}/' if address else ''
         found = sorted(notebooks.glob('[0-9]*.ipynb'))
         self.chapters = [path for path in found
                          if names is None or any(path.stem.startswith(name) for name in names)]
@@ -70,34 +67,21 @@ class Site:
         self.live.run(self.chapters)
         self._write_sources()
         print('Writing the pages', flush=True)
-        settings = {**self.live.settings(), 'html_context.lab': LAB if self._has_lab else '',
-                    'html_baseurl': self.address}
+        settings = {**self.live.settings(), 'html_context.lab': LAB if self._has_lab else ''}
         write_pages(self.work / 'source', self.work / 'html', self.work / 'doctrees', settings=settings)
-        self._remove_strangers()
-        self._write_sitemap()
+        self._delete_stale_pages()
         if self._has_lab:
             print('Building JupyterLab for the browser', flush=True)
             lite.build(self.work / 'html' / LAB)
         replace(self.work / 'html', self.target)
         print(f'The lessons are in {format_path(self.target / "index.html")}')
 
-    def _remove_strangers(self) -> None:
-        """Remove the pages of chapters that an earlier build had and this one has not: Sphinx leaves them there."""
+    def _delete_stale_pages(self) -> None:
+        """Delete the pages of chapters that an earlier build had and this one has not: Sphinx leaves them there."""
         sources = {path.stem for path in (self.work / 'source').iterdir()} | {'search'}
         for page in (self.work / 'html').glob('*.html'):
             if page.stem not in sources:
                 page.unlink()
-
-    def _write_sitemap(self) -> None:
-        """Tell search engines the pages, if the site's address is known."""
-        path = self.work / 'html' / 'sitemap.xml'
-        path.unlink(missing_ok=True)
-        if self.address:
-            pages = ''.join(f'<url><loc>{html.escape(self.address)}{name}.html</loc></url>\n'
-                            for name in ('index', *(chapter.stem for chapter in self.chapters)))
-            path.write_text('<?xml version="1.0" encoding="UTF-8"?>\n'
-                            f'<urlset xmlns="http://www.sitemaps.org/schemas/sitemap/0.9">\n{pages}</urlset>\n',
-                            encoding='utf-8')
 
     def _write_sources(self) -> None:
         """Write what Sphinx reads; files that stay the same are not touched, so that Sphinx need not read them."""

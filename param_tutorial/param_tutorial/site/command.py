@@ -24,12 +24,11 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument('--work', type=Path, default=ROOT / 'build' / 'lessons',
                         help='what is kept between builds')
     parser.add_argument('--lesson', metavar='CHAPTER', help='make one file of one chapter instead')
-    parser.add_argument('--address', default='', help='where the site will be on the web, for search engines')
     options = parser.parse_args(arguments)
     try:
         names = [options.lesson] if options.lesson else options.only
         site = Site(options.notebooks.resolve(), options.target.resolve(), options.work.resolve(), names,
-                    address=options.address, has_lab=names is None)
+                    has_lab=names is None)
         if options.lesson:
             single.build(site)
         else:

@@ -14,7 +14,6 @@ from param_tutorial.site.pages.writing import BuildError, write_pages, write_sta
 # A page by itself has nothing to search in, and no neighbors.
 _SETTINGS = {
     'html_sidebars': {'**': []},
-    'html_additional_pages': {},
     'html_theme_options.navbar_persistent': [],
     'html_theme_options.disable_search': True,
     'html_theme_options.show_prev_next': False,
@@ -38,8 +37,7 @@ def build(site: Site) -> Path:
     source = folder / 'source'
     source.mkdir(parents=True)
     write_static(source, site.live.scripts())
-    chapter = chapter_source(path, site.live.chapters[path], {path.stem}, alone=provenance(),
-                             address=site.address)
+    chapter = chapter_source(path, site.live.chapters[path], {path.stem}, alone=provenance())
     (source / path.name).write_text(nbformat.writes(chapter), encoding='utf-8')
     write_pages(source, folder / 'html', folder / 'doctrees',
                 settings={'root_doc': path.stem, **site.live.settings(), **_SETTINGS})

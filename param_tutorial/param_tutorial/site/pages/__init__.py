@@ -6,6 +6,5 @@ links         a chapter's links, led to where the site has what they mean
 front_page    the first page of the site
 drawing       small pieces of HTML that several pages have
 writing       lets Sphinx write pages
-search_index  the sections of all pages, for the site's search
 inlining      one page as one file
 """

@@ -20,19 +20,18 @@ COURSE = 'param-course'
 
 
 def chapter_source(path: Path, live: LiveChapter, pages: set[str], *, alone: dict[str, str] | None = None,
-                   address: str = '', has_lab: bool = False) -> nbformat.NotebookNode:
+                   has_lab: bool = False) -> nbformat.NotebookNode:
     """Return what Sphinx reads in place of a chapter.
 
     :param live: The chapter as its page's kernel ran it.
     :param pages: The names, without ending, of all pages of the site; links to others become words.
     :param alone: For a file that is given away, with nothing beside it: from which state of the course the lesson
         ran, and on what; see ``archive.provenance``.
-    :param address: Where the whole site is on the web, for links to what is not beside that file.
     :param has_lab: True if JupyterLab for the browser is a part of the site.
     :raises BuildError: a link leads to a file that is not there.
     """
     notebook: nbformat.NotebookNode = nbformat.read(path, as_version=4)
-    links = Links(path, notebook, pages, is_alone=alone is not None, address=address)
+    links = Links(path, notebook, pages, is_alone=alone is not None)
     _draw_views(notebook, live, EXPLAINED.get(path.stem, {}))
     _draw_predictions(notebook, links)
     for cell in notebook.cells:

@@ -27,15 +27,13 @@ _ELSEWHERE = re.compile(r'\bchapter (\d+(?:\.\d+)?), (“[^“”]+”)')
 class Links:
     """Leads the links of one chapter."""
 
-    def __init__(self, path: Path, notebook: NotebookNode, pages: set[str], *, is_alone: bool = False,
-                 address: str = '') -> None:
+    def __init__(self, path: Path, notebook: NotebookNode, pages: set[str], *, is_alone: bool = False) -> None:
         """
         :param path: Of the chapter; its links begin in that folder.
         :param pages: The names, without ending, of the pages that are made.
         :param is_alone: Whether the page is given away, with nothing beside it.
-        :param address: Where the whole site is on the web, for what is not beside the page; empty if nobody knows.
         """
-        self._path, self._pages, self._is_alone, self._address = path, pages, is_alone, address
+        self._path, self._pages, self._is_alone = path, pages, is_alone
         self.anchors = {anchor(heading.replace('`', '')) for cell in notebook.cells if cell.cell_type == 'markdown'
                          for heading in _HEADING.findall(cell.source)}
 
@@ -76,20 +74,16 @@ class Links:
             raise BuildError(f'{self._path.name} links to {target}, which is not there.')
         if Path(target).stem in self._pages and '/' not in target:
             return f'[{words}]({target}{place})'
-        if '/' not in target and self._address:
-            return f'[{words}]({self._address}{Path(target).stem}.html{place})'
         return self._html_link(target, html.escape(words), place)
 
     def _html_link(self, target: str, words: str, place: str = '') -> str:
         """Return a link to a notebook, as HTML; the words alone if that is nowhere."""
         name, is_solution = Path(target).stem, '/' in target
-        is_here = name in self._pages and not (is_solution and self._is_alone)
-        if not is_here and not self._address:
+        if name not in self._pages or (is_solution and self._is_alone):
             return words
-        base = '' if is_here else self._address
         if is_solution:
-            return f'<a href="{base}{NOTEBOOKS}/{html.escape(target)}" download>{words}</a>'
-        return f'<a href="{base}{name}.html{html.escape(place)}">{words}</a>'
+            return f'<a href="{NOTEBOOKS}/{html.escape(target)}" download>{words}</a>'
+        return f'<a href="{name}.html{html.escape(place)}">{words}</a>'
 
     def _section_link(self, found: re.Match[str]) -> str:
         name = anchor(html.unescape(_TAG.sub('', found[1])))

@@ -1,35 +1,15 @@
-/* A lesson's page: its predictions, what the reader has answered, and buttons that copy code. */
+/* A lesson's page: its predictions, and what the reader has answered. */
 
-import {all, make, one} from '../../../param_tools/panel/dom.js';
-import {copy} from './clipboard.js';
+import {all} from '../../../param_tools/panel/dom.js';
 import {askForPredictionOf, hideAnswers} from './predictions.js';
 import {beginProgress} from './progress.js';
 import {reachPictures, wrapSentences} from './wide.js';
-
-/** Put a button beside each cell's code that copies it. */
-function offerCopies() {
-  for (const cell of all(document, 'div.cell_input')) {
-    const code = (one(cell, 'pre').textContent ?? '').trimEnd();
-    const button = make('button', {type: 'button', className: 'lesson-copy'}, 'Copy');
-    button.setAttribute('aria-label', 'Copy the code of this cell');
-    button.addEventListener('click', async () => {
-      button.dataset.said = (await copy(code)) ? 'Copied' : 'Not copied';
-      button.textContent = button.dataset.said;
-      setTimeout(() => {
-        button.textContent = 'Copy';
-        delete button.dataset.said;
-      }, 2000);
-    });
-    cell.append(button);
-  }
-}
 
 /** Bring the page to life. */
 export async function beginLesson() {
   arriving.disconnect();
   layOut();
   reachPictures(document);
-  offerCopies();
   const remembered = beginProgress();
   all(document, '.lesson-prediction').forEach(askForPredictionOf);
   await remembered;

@@ -1,11 +1,9 @@
 /* All scripts of a page of the website. */
 
 import {beginLive} from '../live/page.js';
-import {beginClaims} from './claims.js';
 import {beginLesson} from './lesson.js';
-import {beginSearch} from './search.js';
 
-for (const begin of [beginLesson, beginLive, beginClaims, beginSearch]) {
+for (const begin of [beginLesson, beginLive]) {
   if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', begin);
   else begin();
 }

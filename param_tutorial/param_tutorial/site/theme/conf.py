@@ -9,7 +9,6 @@ from typing import Any
 from docutils import nodes  # type: ignore[import-untyped]
 from sphinx.application import Sphinx
 
-from param_tutorial.site.pages.search_index import FILE_NAME, index_script
 from param_tutorial.site.pages.writing import SHEETS
 
 project = 'Mastering ROS 2 Parameters with Python'
@@ -34,7 +33,8 @@ html_favicon = '_static/icon.svg'
 templates_path = ['_templates']
 html_css_files = [*(Path(path).name for path in SHEETS), 'lesson.css']
 html_js_files = ['lessons.js']
-html_additional_pages = {'search': 'search.html'}
+# A page on a disk may not fetch the pages that are found, nor may those on the web.
+html_show_search_summary = False
 html_sidebars = {'**': ['lessons.html']}
 html_copy_source = False
 html_show_sourcelink = False
@@ -68,21 +68,14 @@ def describe(_: Sphinx, __: str, ___: str, context: dict[str, Any], page: nodes.
         context['description'] = found.astext().replace('\n', ' ')[:200] if found else ''
 
 
-def leave_out_search(app: Sphinx) -> None:
-    """Let Sphinx make no index: the site has its own."""
-    app.builder.search = False  # type: ignore[attr-defined]
-
-
-def write_index(app: Sphinx, error: Exception | None) -> None:
-    """Write what the search knows."""
-    if not error and 'search' in app.config.html_additional_pages:
-        lessons, others = ({name: app.env.get_doctree(name) for name in names} for names in (
-            app.env.toctree_includes.get(app.config.root_doc, []), app.env.found_docs & {'claims'}))
-        Path(app.outdir, FILE_NAME).write_text(index_script(lessons, others), encoding='utf-8')
+def hide_outputs_from_search(_: Sphinx, document: nodes.document, __: str) -> None:
+    """Keep outputs out of the search's index: predictions, hints and solutions are among them."""
+    for node in document.findall(nodes.container):
+        if node.get('nb_element') == 'cell_code_output':
+            node['classes'].append('no-search')
 
 
 def setup(app: Sphinx) -> None:
     """Called by Sphinx."""
-    app.connect('builder-inited', leave_out_search)
-    app.connect('build-finished', write_index)
+    app.connect('doctree-resolved', hide_outputs_from_search)
     app.connect('html-page-context', describe)
