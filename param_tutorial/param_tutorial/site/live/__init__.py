@@ -30,7 +30,7 @@ view's handle; when its cell has run, the same handles become the kernel's widge
 Nothing is drawn twice, and a drag goes on under the hand. Of ipywidgets themselves only boxes and HTML are needed:
 the predictions, which use others, are forms of the page.
 
-**What the reader does is kept**: settings of panels in the page's address (``address.js``), code in the browser
-(``kept_code.js``), and there, too, what is solved and predicted (``scripts/progress.js``); the kernel gets it as the
-file that the course keeps in a checkout.
+**What the reader types is kept** in the browser (``kept_code.js``), and so is what is solved and predicted
+(``scripts/progress.js``); the kernel gets that as the file that the course keeps in a checkout. Values that are set are
+gone when the page is loaded again, as they are when a notebook's kernel restarts.
 """

@@ -1,25 +1,21 @@
 /* What the reader has typed into the cells of a page, kept in the browser. A browser that keeps nothing shows the lesson's
    own code again. */
 
-import {entries, openDatabase} from '../scripts/database.js';
+import {createStore, del, entries, set} from 'idb-keyval';
 import {here} from '../scripts/progress.js';
 
-/** @type {Promise<IDBDatabase | null> | undefined} */
-let opened;
-
-/** Return where code is kept, or nothing where this browser keeps nothing for us. */
-async function store() {
-  opened ??= openDatabase('ros2-parameters-code', ['code']);
-  return (await opened)?.transaction('code', 'readwrite').objectStore('code');
-}
+const store = createStore('ros2-parameters-code', 'code');
 
 /** Return what was typed on this page, by the ids of the cells. */
 export async function keptCode() {
-  const from = await store();
   /** @type {Record<string, string>} */
   const codes = {};
-  for (const [[page, id], code] of from ? await entries(from) : []) {
-    if (page === here && typeof code === 'string') codes[id] = code;
+  try {
+    for (const [[page, id], code] of await /** @type {Promise<any[]>} */ (entries(store))) {
+      if (page === here && typeof code === 'string') codes[id] = code;
+    }
+  } catch {
+    // This browser keeps nothing for us.
   }
   return codes;
 }
@@ -30,7 +26,9 @@ export async function keptCode() {
  * @param {string} [code]
  */
 export async function keepCode(id, code) {
-  const into = await store();
-  if (code === undefined) into?.delete([here, id]);
-  else into?.put(code, [here, id]);
+  try {
+    await (code === undefined ? del([here, id], store) : set([here, id], code, store));
+  } catch {
+    // The page lives on without memory.
+  }
 }

@@ -1,64 +1,64 @@
 /* What a cell puts out, as Sphinx draws the stored outputs. */
 
+import {AnsiUp} from 'ansi_up';
 import {make} from '../../../param_tools/panel/dom.js';
 
-const COLORS = ['Black', 'Red', 'Green', 'Yellow', 'Blue', 'Magenta', 'Cyan', 'White'];
-// Escape itself may stand in no regular expression that is written out.
-const CODE = new RegExp(`${String.fromCharCode(27)}\\[([\\d;]*)m`);
+/** An output of a cell, as the kernel says it, and what shows it. */
+export class Output {
+  /** @type {HTMLElement | undefined} */
+  drawn;
+  /** @type {HTMLElement | undefined} */
+  pre;
+  colors = new AnsiUp();
 
-/**
- * Return a text in the colors that its escape sequences say.
- * @param {string} text
- */
-function colored(text) {
-  const made = document.createDocumentFragment();
-  let color = '';
-  let isBold = false;
-  text.split(CODE).forEach((part, at) => {
-    if (at % 2) {
-      for (const code of part.split(';').map(Number)) {
-        if (code === 1) isBold = true;
-        else if (code === 0 || code === 39) [color, isBold] = ['', isBold && code === 39];
-        else if (code === 22) isBold = false;
-        else if (code >= 30 && code <= 37) color = COLORS[code - 30];
-      }
-    } else if (part) {
-      const classes = [color && `-Color-${color}`, isBold && '-Color-Bold', (color || isBold) && '-Color'];
-      made.append(make('span', {className: classes.filter(Boolean).join(' ')}, part));
-    }
-  });
-  return made;
-}
+  /**
+   * @param {any} said
+   * @param {HTMLElement} [view] Of a widget.
+   */
+  constructor(said, view) {
+    this.said = {...said};
+    this.drawn = view;
+    this.colors.use_classes = true;
+  }
 
-/**
- * @param {string} kind
- * @param {string} text
- */
-function block(kind, text) {
-  const pre = make('pre', {tabIndex: 0}, colored(text));
-  return make('div', {className: `output ${kind}`}, make('div', {className: 'highlight'}, pre));
-}
+  get element() {
+    this.drawn ??= this.draw();
+    return this.drawn;
+  }
 
-/**
- * Return the element for an output that is no widget.
- * @param {any} output
- */
-export function draw(output) {
-  if (output.output_type === 'stream') return block(output.name === 'stderr' ? 'stderr' : 'stream', output.text);
-  if (output.output_type === 'error') return block('traceback', output.traceback.join('\n'));
-  const html = output.data['text/html'];
-  if (html === undefined) return block('text_plain', output.data['text/plain'] ?? '');
-  return make('div', {className: 'output text_html', innerHTML: html});
-}
+  draw() {
+    const {output_type, name, text, traceback, data} = this.said;
+    if (output_type === 'stream') return this.block(name === 'stderr' ? 'stderr' : 'stream', text);
+    if (output_type === 'error') return this.block('traceback', traceback.join('\n'));
+    const html = data['text/html'];
+    if (html === undefined) return this.block('text_plain', data['text/plain'] ?? '');
+    return make('div', {className: 'output text_html', innerHTML: html});
+  }
 
-/**
- * Add an output to those before it; what is written to a stream piece by piece is one text.
- * @param {any[]} outputs
- * @param {any} output
- */
-export function add(outputs, output) {
-  const last = outputs.at(-1);
-  if (output.output_type === 'stream' && last?.output_type === 'stream' && last.name === output.name) {
-    last.text += output.text;
-  } else outputs.push({...output});
+  /**
+   * @param {string} kind
+   * @param {string} text
+   */
+  block(kind, text) {
+    this.pre = make('pre', {tabIndex: 0});
+    this.write(text);
+    return make('div', {className: `output ${kind}`}, make('div', {className: 'highlight'}, this.pre));
+  }
+
+  /** @param {string} text With escape sequences for colors. */
+  write(text) {
+    this.pre?.insertAdjacentHTML('beforeend', this.colors.ansi_to_html(text));
+  }
+
+  /**
+   * Take what is written to the same stream next; return false if it is another output.
+   * @param {any} said
+   */
+  goOn(said) {
+    if (said.output_type !== 'stream' || this.said.output_type !== 'stream' || said.name !== this.said.name)
+      return false;
+    this.said.text += said.text;
+    this.write(said.text);
+    return true;
+  }
 }

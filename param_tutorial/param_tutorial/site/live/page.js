@@ -6,10 +6,9 @@
 import {all, make, one} from '../../../param_tools/panel/dom.js';
 import {answerTo, keepAnswer, progressFile} from '../scripts/progress.js';
 import {reachPictures, wrapSentences} from '../scripts/wide.js';
-import {followAddress, keepSettings} from './address.js';
 import {keepCode, keptCode} from './kept_code.js';
 import {digest, WIDGET} from './kernel.js';
-import {add, draw} from './outputs.js';
+import {Output} from './outputs.js';
 import {View} from './widgets.js';
 
 // Of the lessons' own cells, none takes so long on a machine with nothing else to do.
@@ -25,7 +24,7 @@ const PATIENCE_MS = 10_000;
 class Cell {
   /** True if its outputs are to be drawn whatever they are: the reader has run it. */
   isAsked = false;
-  /** @type {any[]} */
+  /** @type {Output[]} */
   outputs = [];
   /** By the names of the widgets. @type {Map<string, View>} */
   views = new Map();
@@ -50,14 +49,30 @@ class Cell {
     return made;
   }
 
-  /** Draw all outputs anew; a view that is the same goes on. */
+  /** Show all outputs in place of those before; a view that is the same goes on. */
   show() {
-    if (this.isOwn) return;
-    const drawn = this.outputs.map(output => (output.view ? output.view.element : draw(output)));
-    this.place?.replaceChildren(...drawn);
-    if (!this.place) return;
+    if (this.isOwn || !this.place) return;
+    this.place.replaceChildren(...this.outputs.map(output => output.element));
     wrapSentences(this.place);
     reachPictures(this.place);
+  }
+
+  /**
+   * Take one more output; who runs a cell sees it at once.
+   * @param {any} said
+   * @param {View} [view]
+   */
+  add(said, view) {
+    if (this.outputs.at(-1)?.goOn(said)) return;
+    const output = new Output(said, view?.element);
+    this.outputs.push(output);
+    if (!this.isAsked) return;
+    if (this.outputs.length === 1) this.show();
+    else if (!this.isOwn) this.place?.append(output.element);
+  }
+
+  get digest() {
+    return digest(this.outputs.map(output => output.said));
   }
 }
 
@@ -111,7 +126,7 @@ export class Page {
     this.worker.addEventListener('message', ({data}) => this.hear(data));
     this.worker.addEventListener('error', event => this.die(event.message));
     try {
-      await loadPython(one(document, 'script[data-live-python]'));
+      await loadLater('python.js');
     } catch (error) {
       this.die(String(error));
       return;
@@ -213,23 +228,20 @@ export class Page {
       if (!handle?.isLive) continue;
       if (does === 'custom') handle.emit('msg:custom', content, []);
       else if (does === 'update') handle.update(state);
-      // No address could bring back what the reader's own code shows, or a click has opened.
-      const isOfLesson = handle.place in (this.byId.get(view.cell)?.facts.states ?? {});
-      if (isOfLesson && handle.isUsed && state?.state?.rows) keepSettings(handle);
     }
   }
 
   /** @param {Cell} cell @param {any} output */
   hearOutput(cell, output) {
     const root = output.data?.[WIDGET]?.model_id;
-    if (root && !cell.isOwn) {
-      const view = cell.views.get(root) ?? new View(this, cell.facts.id, root, {});
-      cell.views.set(root, view);
-      view.goLive();
-      cell.outputs.push({...output, view});
-    } else add(cell.outputs, output);
-    // Who runs a cell sees what it writes at once.
-    if (cell.isAsked) cell.show();
+    if (!root || cell.isOwn) {
+      cell.add(output);
+      return;
+    }
+    const view = cell.views.get(root) ?? new View(this, cell.facts.id, root, {});
+    cell.views.set(root, view);
+    view.goLive();
+    cell.add(output, view);
   }
 
   /** @param {string[]} numbers Of the exercises that the course knows as solved. */
@@ -243,9 +255,9 @@ export class Page {
   /** @param {any} said */
   replace({display, output}) {
     for (const cell of this.cells) {
-      const found = cell.outputs.find(each => each.display === display && display);
-      if (found) {
-        Object.assign(found, output);
+      const at = cell.outputs.findIndex(each => each.said.display === display && display);
+      if (at >= 0) {
+        cell.outputs[at] = new Output({...cell.outputs[at].said, ...output});
         cell.show();
       }
     }
@@ -256,11 +268,11 @@ export class Page {
     clearTimeout(this.timer);
     this.running -= 1;
     cell.element?.removeAttribute('aria-busy');
-    if (cell.isAsked || digest(cell.outputs) !== cell.facts.digest) cell.show();
+    if (cell.isAsked || cell.digest !== cell.facts.digest) cell.show();
     cell.isAsked = false;
-    const shown = new Set(cell.outputs.map(output => output.view));
+    const shown = new Set(cell.outputs.map(output => output.drawn));
     for (const [root, view] of cell.views) {
-      if (shown.has(view)) continue;
+      if (shown.has(view.element)) continue;
       cell.views.delete(root);
       this.views.delete(view);
     }
@@ -269,18 +281,28 @@ export class Page {
 }
 
 /**
- * Load Python: a script that stands beside the page, or, in a lesson that is one file, in it.
- * @param {HTMLElement} python
+ * Load a script that the page does not need at once. It stands beside the page, or, in a lesson that is one file, in it.
+ * @param {string} name
  */
-function loadPython(python) {
-  const source = python.dataset.livePython ?? '';
+function loadLater(name) {
+  const place = one(document, `script[data-later="${name}"]`);
+  const source = place.dataset.source ?? '';
   return new Promise((resolve, reject) => {
-    const script = source ? make('script', {src: source, async: true}) : make('script', {}, python.textContent ?? '');
+    const script = source ? make('script', {src: source, async: true}) : make('script', {}, place.textContent ?? '');
     script.addEventListener('load', () => resolve(script.remove()));
     script.addEventListener('error', () => reject(new Error(`${source} can't be loaded`)));
     document.head.append(script);
     if (!source) resolve(script.remove());
   });
+}
+
+/** @type {Promise<typeof import('./editor.js')> | undefined} */
+let editors;
+
+/** Load what makes editors, once for the page. */
+function loadEditors() {
+  editors ??= loadLater('editor.js').then(() => /** @type {any} */ (self).lessonEditor);
+  return /** @type {Promise<typeof import('./editor.js')>} */ (editors);
 }
 
 /** Bring the page to life if it has a kernel. */
@@ -292,7 +314,6 @@ export async function beginLive() {
   for (const cell of page.cells) {
     if (cell.element?.querySelector('.cell_input')) letEdit(page, cell, codes[cell.facts.id]);
   }
-  followAddress(name => [...page.views].find(view => view.handles.has(name))?.handles.get(name));
   // A reader who reads is not kept from it, and who touches something need not wait as long.
   const soon = () => page.begin();
   for (const kind of ['pointerdown', 'keydown']) addEventListener(kind, soon, {once: true});
@@ -310,8 +331,8 @@ function letEdit(page, cell, code) {
   const lesson = one(input, 'div');
   // As in a notebook: click the code, and press Shift + Enter.
   one(lesson, 'pre').tabIndex = 0;
-  /** @type {HTMLTextAreaElement | undefined} */
-  let box;
+  /** @type {import('@codemirror/view').EditorView | undefined} */
+  let editor;
   const button = (/** @type {string} */ words, /** @type {string} */ label, /** @type {() => void} */ onClick) => {
     const made = make('button', {type: 'button', className: 'live-button'}, words);
     made.setAttribute('aria-label', label);
@@ -326,37 +347,36 @@ function letEdit(page, cell, code) {
     event.preventDefault();
     run();
   };
+  const show = () => {
+    resetButton.hidden = cell.code === cell.facts.source && !editor;
+    editButton.hidden = Boolean(editor);
+  };
   const reset = () => {
     cell.code = cell.facts.source;
-    box?.replaceWith(lesson);
-    box = undefined;
+    editor?.dom.replaceWith(lesson);
+    editor?.destroy();
+    editor = undefined;
     keepCode(cell.facts.id);
     show();
     editButton.focus();
   };
-  const show = () => {
-    resetButton.hidden = cell.code === cell.facts.source && !box;
-    editButton.hidden = Boolean(box);
-    if (box) box.rows = box.value.split('\n').length;
-  };
-  const edit = () => {
-    box = make('textarea', {value: cell.code, className: 'live-code', spellcheck: false, autocapitalize: 'off'});
-    box.setAttribute('aria-label', 'The code of this cell');
-    const typed = box;
-    typed.addEventListener('input', () => {
-      cell.code = typed.value;
-      keepCode(cell.facts.id, cell.code);
-      show();
-    });
-    typed.addEventListener('keydown', runByKey);
-    lesson.replaceWith(typed);
+  const keep = (/** @type {string} */ typed) => {
+    cell.code = typed;
+    keepCode(cell.facts.id, typed);
     show();
-    return typed;
   };
-  const editButton = button('Edit', 'Edit the code of this cell', () => edit().focus());
+  const edit = async () => {
+    const {makeEditor} = await loadEditors();
+    if (editor) return;
+    editor = makeEditor(cell.code, keep, run);
+    lesson.replaceWith(editor.dom);
+    show();
+  };
+  const editHere = () => edit().then(() => editor?.focus());
+  const editButton = button('Edit', 'Edit the code of this cell', editHere);
   const resetButton = button('Reset', 'Bring back the code of the lesson', reset);
   lesson.addEventListener('keydown', runByKey);
-  lesson.addEventListener('dblclick', () => edit().focus());
+  lesson.addEventListener('dblclick', editHere);
   const tools = make('div', {className: 'live-tools'}, button('Run', 'Run this cell', run), editButton, resetButton);
   input.append(tools);
   show();

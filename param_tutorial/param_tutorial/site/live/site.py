@@ -7,9 +7,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from param_tools.markup.scripts import bundle
-from param_tutorial.site.archive import ROOT
 from param_tutorial.site.browser import page_python
+from param_tutorial.site.bundling import bundle
 from param_tutorial.site.live import python_files
 from param_tutorial.site.live.running import EXPLAINED, LiveCell, LiveChapter, run_chapter
 
@@ -18,8 +17,7 @@ from param_tutorial.site.live.running import EXPLAINED, LiveCell, LiveChapter, r
 POLICY = ("default-src 'self' data: blob: 'unsafe-inline'; connect-src data: blob:; worker-src blob:; "
           "script-src 'self' blob: 'unsafe-inline' 'unsafe-eval'; form-action 'self'")
 _HERE = Path(__file__).parent
-_PYTHON = 'python.js'
-_UNPACKER = ROOT / 'environment' / 'node_modules' / 'xz-decompress' / 'dist' / 'package' / 'xz-decompress.min.js'
+_PYTHON, _EDITOR = 'python.js', 'editor.js'
 # What a chapter's run depends on, beside the packages.
 _RUNS = ('kernel.js', 'run.mjs', 'running.py')
 
@@ -68,13 +66,13 @@ class Live:
         return page_python.kept(self.work, name, key, lambda: make().encode()).read_text(encoding='utf-8')
 
     def scripts(self) -> dict[str, str]:
-        """Return the scripts of the pages, by name: the Python, the worker's, and those that widgets bring along."""
+        """Return the scripts of the pages, by name: the Python, the worker's, the editor, and those of widgets."""
         shared = {name: text for chapter in self.chapters.values() for name, text in chapter.shared.items()}
-        worker = _UNPACKER.read_text(encoding='utf-8') + bundle('param_tutorial/site/live/worker.js')
-        fronts = f'self.lessonFronts = {json.dumps(shared)};\nself.lessonWorker = {json.dumps(worker)};\n'
-        return {_PYTHON: self._python, 'fronts.js': fronts}
+        worker = json.dumps(bundle('live/worker.js'))
+        fronts = f'self.lessonFronts = {json.dumps(shared)};\nself.lessonWorker = {worker};\n'
+        return {_PYTHON: self._python, _EDITOR: bundle('live/editor.js', 'lessonEditor'), 'fronts.js': fronts}
 
     def settings(self) -> dict[str, Any]:
         """Return Sphinx's settings for live pages."""
-        return {'html_context.live_policy': POLICY, 'html_context.live_python': _PYTHON,
+        return {'html_context.live_policy': POLICY, 'html_context.later_scripts': [_PYTHON, _EDITOR],
                 'html_js_files': ['fronts.js', 'lessons.js']}

@@ -5,7 +5,6 @@
 
 import {make} from '../../../param_tools/panel/dom.js';
 import {drawAnew} from '../scripts/wide.js';
-import {noteEntered} from './address.js';
 
 const PREFIX = 'IPY_MODEL_';
 const LEFT_OUT = new Set(['layout', 'style']);
@@ -18,8 +17,6 @@ export class Handle {
   /** @type {Map<string, Set<Function>>} */
   listeners = new Map();
   isLive = false;
-  /** True once a hand has done something with it. */
-  isUsed = false;
   /** What a hand did before the kernel had the widget. @type {any[]} */
   waiting = [];
   /** @type {Set<string>} */
@@ -37,11 +34,6 @@ export class Handle {
     this.view = view;
     this.name = name;
     this.state = {...state};
-  }
-
-  /** Its name when the cell runs for the first time, as it does on a page that was just opened. */
-  get place() {
-    return this.name.replace(/\/\d+\//, '/1/');
   }
 
   /** @param {string} key */
@@ -66,13 +58,11 @@ export class Handle {
 
   /** @param {any} content */
   send(content) {
-    noteEntered(this, content);
     this.tell({method: 'custom', content});
   }
 
   /** @param {any} data */
   tell(data) {
-    this.isUsed = true;
     if (this.isLive) this.view.page.tell(this.name, data);
     else {
       this.waiting.push(data);

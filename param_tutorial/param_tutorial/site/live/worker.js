@@ -2,6 +2,7 @@
 
    Nothing is fetched: a page on a disk may not, and a page on the web must not, since it runs what its reader typed. */
 
+import {XzReadableStream} from 'xz-decompress';
 import {filesIn, install, Kernel, PROGRESS} from './kernel.js';
 
 const worker = /** @type {any} */ (self);
@@ -32,7 +33,7 @@ function bytesOf(text) {
  * @param {string} text
  */
 async function unpack(text) {
-  const stream = new worker['xz-decompress'].XzReadableStream(new Blob([bytesOf(text)]).stream());
+  const stream = new XzReadableStream(new Blob([bytesOf(text)]).stream());
   return filesIn(new Uint8Array(await new Response(stream).arrayBuffer()));
 }
 

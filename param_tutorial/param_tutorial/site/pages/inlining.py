@@ -35,9 +35,9 @@ def inline_page(page: Path) -> str:
             body.append(inline)
         else:
             script.replace_with(inline)
-    for part in soup.select('script[data-live-python]'):
-        part.string = (page.parent / _attribute(part, 'data-live-python')).read_text(encoding='utf-8')
-        part['data-live-python'] = ''
+    for part in soup.select('script[data-source]'):
+        part.string = (page.parent / _attribute(part, 'data-source')).read_text(encoding='utf-8')
+        del part['data-source']
     for image in soup.select('img[src]'):
         if not (source := _attribute(image, 'src')).startswith('data:'):
             image['src'] = _data(page.parent / source)

@@ -10,8 +10,8 @@ from typing import Any
 from sphinx.application import Sphinx
 from sphinx.util.docutils import docutils_namespace
 
-from param_tools.markup.scripts import bundle
 from param_tools.markup.styles import sheet
+from param_tutorial.site.bundling import bundle
 
 THEME = Path(__file__).parents[1] / 'theme'
 # The styles of the notebook's own views.
@@ -32,9 +32,7 @@ def write_static(source: Path, live: Mapping[str, str]) -> None:
     (source / 'static').mkdir(exist_ok=True)
     for name, text in live.items():
         (source / 'static' / name).write_text(text, encoding='utf-8')
-    # A page on a disk can load no module, and the names in a script that is none are the whole page's.
-    script = f"(() => {{\n'use strict';\n{bundle('param_tutorial/site/scripts/main.js')}}})();\n"
-    (source / 'static' / 'lessons.js').write_text(script, encoding='utf-8')
+    (source / 'static' / 'lessons.js').write_text(bundle('scripts/main.js'), encoding='utf-8')
     for path in SHEETS:
         (source / 'static' / Path(path).name).write_text(sheet(path), encoding='utf-8')
 

@@ -2,8 +2,8 @@
    questions are answered and exercises solved, 2/6 beside one with some. A browser that keeps nothing shows the lessons
    without it. */
 
+import {createStore, entries} from 'idb-keyval';
 import {all, make} from '../../../param_tools/panel/dom.js';
-import {entries, openDatabase} from './database.js';
 
 /**
  * An answer to a question, or an exercise that is solved, which has no text: whether it was right, when (local time in ISO
@@ -18,7 +18,7 @@ const NAME = 'ros2-parameters-progress';
 export const here = page(location.pathname);
 // Not localStorage: of pages on a disk, Chromium 156 loads about one in twenty with a localStorage that reads nothing and
 // keeps nothing (46 of 750 with no script of ours; over HTTP none of 80, and none of 350 with IndexedDB).
-const opened = openDatabase(NAME, ['lessons']);
+const store = createStore(NAME, 'lessons');
 const news = new BroadcastChannel(NAME);
 /** By their names. @type {Record<string, Lesson>} */
 let lessons = {};
@@ -34,9 +34,8 @@ function page(path) {
 
 /** Read what is kept. */
 async function load() {
-  const db = await opened;
   try {
-    if (db) lessons = Object.fromEntries(await entries(db.transaction('lessons').objectStore('lessons')));
+    lessons = Object.fromEntries(await entries(store));
   } catch {
     // Nothing can be read.
   }
@@ -50,17 +49,16 @@ async function load() {
  */
 async function write(how) {
   show();
-  const db = await opened;
-  if (!db) return;
   try {
-    const transaction = db.transaction('lessons', 'readwrite');
-    transaction.oncomplete = () => {
-      news.postMessage('changed');
-      load(); // what was being read meanwhile is older
-    };
-    how(transaction.objectStore('lessons'));
-    // At once, for the reader may leave the page at once.
-    transaction.commit();
+    await store('readwrite', kept => {
+      kept.transaction.oncomplete = () => {
+        news.postMessage('changed');
+        load(); // what was being read meanwhile is older
+      };
+      how(kept);
+      // At once, for the reader may leave the page at once.
+      kept.transaction.commit();
+    });
   } catch {
     // The page lives on without memory.
   }
