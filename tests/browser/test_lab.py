@@ -8,8 +8,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.support import lab as lab_module
-from tests.support import lesson
-from tests.support.lab import ROOT, Lab, LabPage, chromium
+from tests.support.lab import ROOT, Lab, LabPage
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
@@ -17,37 +16,13 @@ CHAPTER = ROOT / 'notebooks' / '05_2_with_a_callback.ipynb'
 NODE = '/simple_param_node'
 
 
-@pytest.fixture(scope='module')
-def server(tmp_path_factory):
-    """Return a server without notebooks, and a browser."""
-    with Lab(tmp_path_factory.mktemp('lab'), []) as lab, chromium() as browser:
-        yield lab, browser
-
-
 @pytest.fixture
-def open_notebook(server):
-    """Return a function that opens a fresh copy of a notebook; afterwards the browser must not have complained."""
-    lab, browser = server
-    pages = []
-
-    def open_it(notebook):
-        lab.add(notebook)
-        pages.append(LabPage(lab, browser, notebook.name))
-        return lab, pages[-1]
-
-    yield open_it
-    for page in pages:
-        page.page.close()
-    lab.end_kernels()
-    assert [page.strange_errors() for page in pages] == [[]]
-
-
-@pytest.fixture
-def open_lesson(open_notebook, tmp_path):
-    """Return a server, and a page with the small notebook on which all cells have run."""
-    lab, page = open_notebook(lesson.write(tmp_path / 'lesson.ipynb'))
-    page.run_all()
-    return lab, page
+def opened_chapter(tmp_path, browser):
+    """Return a server and a page with the chapter; afterwards the browser must not have complained."""
+    with Lab(tmp_path / 'lab', [CHAPTER]) as lab:
+        page = LabPage(lab, browser, CHAPTER.name)
+        yield lab, page
+        assert page.strange_errors() == []
 
 
 def terminal(lab, *words):
@@ -81,8 +56,8 @@ def drag(page, slider):
     page.page.mouse.up()
 
 
-def test_a_learner_and_a_terminal(open_notebook):
-    lab, page = open_notebook(CHAPTER)
+def test_a_learner_and_a_terminal(opened_chapter):
+    lab, page = opened_chapter
     page.run_all()
     # Until then the slider may be in its cell.
     expect(page.page.get_by_role('complementary', name='Beside the text').get_by_role('slider').first).to_be_visible()
@@ -140,27 +115,3 @@ def test_a_learner_and_a_terminal(open_notebook):
 
     # Locked is locked.
     expect(page.box('robot_serial_number')).to_be_disabled()
-
-
-@pytest.mark.thorough
-def test_a_second_view_of_a_panel_changes_nothing(open_lesson):
-    """A slider may report its position, which is rounded, when it is drawn."""
-    lab, page = open_lesson
-    page.box('max_acceleration_mps2').fill('0.123456')
-    page.box('max_acceleration_mps2').press('Enter')
-    lab_module.wait_for(lambda: position(page) == 0.12, 'the slider to follow')
-    page.select_cell(3)
-    page.command('notebook:create-output-view')
-    panels = page.page.locator('.param-panel')
-    expect(panels).to_have_count(2)
-    expect(panels.nth(1).get_by_role('slider').first).to_be_visible()
-    # Messages keep their order, so this one comes after all those of the second view.
-    second = panels.nth(1).get_by_label('robot_name', exact=True)
-    second.fill('Second')
-    second.press('Enter')
-    # If it comes to nothing, the row says why.
-    expect(page.page.locator('.param-row').filter(has=page.page.get_by_label('robot_name', exact=True)).nth(1)
-           ).to_contain_text('↺')
-    expect(page.page.get_by_role('log')).to_contain_text('robot_name is now Second')
-    expect(page.box('robot_name')).to_have_value('Second')
-    assert value(lab, 'max_acceleration_mps2') == 0.123456

@@ -63,16 +63,3 @@ def test_after_a_restart_and_in_a_notebook_opened_again_a_click_brings_a_view_ba
     expect(panel_output(page)).to_have_css('font-size', '0px')
     panel_output(page).click()
     expect_live_panel(page)
-
-
-def test_a_name_that_a_cell_above_defines_is_an_error_that_says_so(lab, browser):
-    notebook = LabPage(lab, browser, 'lesson.ipynb')
-    notebook.page.evaluate("""() => {
-        const cells = window.jupyterapp.shell.currentWidget.content;
-        cells.activeCellIndex = 5;
-        cells.activeCell.model.sharedModel.setSource('panel.reset()');
-    }""")
-    notebook.command('notebook:run-cell')
-    output = notebook.page.locator('.jp-CodeCell').nth(2).locator('.jp-OutputArea-output')
-    expect(output.first).to_contain_text("NameError: name 'panel' is not defined")
-    expect(output.last).to_have_text('If a cell above defines panel, run it first: Run → Run All Above Selected Cell.')
