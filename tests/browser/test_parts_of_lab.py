@@ -27,6 +27,7 @@ CELLS = (
     '## The words\n\n| word | meaning |\n| --- | --- |\n| to declare | create a parameter |\n'
     '| atomic | all or nothing |',
 )
+WORDS = 'The kernel is new. Click here to run this cell, after all cells above it.'
 STALE = '.jp-OutputArea-output:has(> .jupyter-widgets-disconnected)'
 PARTS = ('.beside-text', '.jp-NotebookPanel .side-by-side', '.param-predict', '.param-check',
          '.param-veiled :is(.jp-OutputArea, .jp-MarkdownOutput)', STALE)
@@ -54,7 +55,7 @@ def faults(page):
     return violations_in_both_themes(page, {'include': there})
 
 
-def test_axe_finds_nothing(lab, browser):
+def test_axe_finds_nothing_and_a_view_whose_kernel_is_new_comes_back_by_a_click(lab, browser):
     lab_page = LabPage(lab, browser, NAME)
     page = lab_page.page
     lab_page.run_all()
@@ -69,8 +70,19 @@ def test_axe_finds_nothing(lab, browser):
     assert faults(page) == []
     page.evaluate(RESTART_KERNEL)
     expect(page.locator('.beside-text')).to_be_hidden()
-    expect(page.locator(STALE).first).to_be_visible()
+    stale, panel = page.locator(STALE).first, page.get_by_label('robot_name', exact=True)
+    expect(stale).to_be_visible()
+    assert stale.evaluate("each => getComputedStyle(each, '::before').content") == f'"{WORDS}"'
     assert faults(page) == []
+    stale.click()
+    expect(panel).to_have_value('Clawbot')
+    # The same in a notebook that is opened again.
+    lab_page.command('docmanager:save')
+    lab.end_kernels()
+    page.reload()
+    lab_page._wait_for_kernel()
+    stale.click()
+    expect(panel).to_have_value('Clawbot')
 
 
 def test_what_a_check_says_to_look_at_is_a_click_away(lab, browser):

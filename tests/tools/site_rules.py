@@ -53,7 +53,7 @@ def open_page(browser, address, *, scheme='light', width=1280):
     page.on('pageerror', lambda error: complaints.append(error.stack or str(error)))
     page.on('request', lambda request: request.url.startswith((here, 'data:', 'blob:'))
             or complaints.append(f'requested {request.url}'))
-    # The search asks for a summary of each page that it finds; who clicks before they are there breaks that off.
+    # Who leaves a page breaks off what it still loads.
     page.on('requestfailed', lambda request: request.failure == 'net::ERR_ABORTED'
             or complaints.append(f'failed {request.url}: {request.failure}'))
     page.add_init_script(_SUM_UP_LAYOUT_SHIFTS)
@@ -81,17 +81,11 @@ def check_page(page):
     too_wide = page.evaluate('document.documentElement.scrollWidth > innerWidth')
     undrawn = page.evaluate('''() => [...document.querySelectorAll('.live-view')]
         .filter(each => !each.getBoundingClientRect().height).map(each => each.dataset.cell)''')
-    found += page.evaluate('''() => [...document.querySelectorAll('.node-says')].filter(
-        each => each.textContent.startsWith('asking')).map(() => 'a node is said to be still asked')''')
     lost = page.evaluate('''() => [...document.querySelectorAll('a[href^="#"]')].filter(each => each.hash.length > 1
         && !document.getElementById(decodeURIComponent(each.hash.slice(1)))).map(each => each.hash)''')
     found += [f'a link leads to {each}, which is not on the page' for each in lost]
     found += [f'“{words[:60]}” has letters of {size:.1f} px' for size, words in page.evaluate(_SIZES_OF_LETTERS)
               if size < MIN_LETTERS_PX]
-    # It has its own width beside its curve, and no rule for curves applies to it.
-    found += page.evaluate('''() => [...document.querySelectorAll('.step-wheel')].map(
-        each => each.getBoundingClientRect().width).filter(width => width > 100)
-        .map(width => `a wheel is ${width} px wide`)''')
     # On a phone's screen one line more is a tenth, and a browser may draw a paragraph before it has read its end.
     if shift > MAX_LAYOUT_SHIFT and page.viewport_size['width'] > 1000:
         found.append(f'what stands on it moves while it is loaded: a layout shift of {shift:.2f}')

@@ -6,7 +6,6 @@ The learner's copies and progress stay in the browser. Any server of static file
 """
 
 import hashlib
-import importlib.metadata
 import json
 import shutil
 import subprocess
@@ -44,13 +43,12 @@ The nodes of a notebook live in its tab, with ROS 2's own Python library and wit
 shell says so, and shows what it prints on a computer that has one.
 '''
 
-_LICENSES = '''# What comes into the page
+_LICENSES = f'''# What comes into the page
 
-The course is under Apache-2.0, Pyodide {pyodide} under MPL-2.0, and CPython under PSF-2.0. JupyterLite and JupyterLab
-are under BSD-3-Clause; what they contain is listed in `build/third-party-licenses.json`. What each package states of
-itself:
-
-{packages}'''
+The course, rclpy and the messages of ROS 2 are under Apache-2.0, PyYAML under MIT, CPython under PSF-2.0, and Pyodide
+under MPL-2.0. JupyterLite and JupyterLab are under BSD-3-Clause; what they contain is listed in
+`build/third-party-licenses.json`. Every other Python package has its license in its archive, in `{PYODIDE}/`.
+'''
 
 
 def build(target: Path) -> None:
@@ -74,23 +72,9 @@ def build(target: Path) -> None:
                         '--lite-dir', lite, '--contents', files, '--output-dir', site, '--apps', 'lab',
                         '--no-sourcemaps'], check=True, cwd=folder, stdout=subprocess.DEVNULL)
         Path(folder, PYODIDE).rename(site / PYODIDE)
-        (site / 'LICENSES.md').write_text(_licenses(), encoding='utf-8')
+        (site / 'LICENSES.md').write_text(_LICENSES, encoding='utf-8')
         _finish(site)
         replace(site, target)
-
-
-def _licenses() -> str:
-    """Return the license that each package in the page states, in Markdown."""
-    found = [importlib.metadata.distribution(name) for name in page_python.installed_distributions()]
-    found += importlib.metadata.distributions(path=list(map(str, page_python.wheels())))
-    lines = []
-    for each in sorted(found, key=lambda each: each.name.lower()):
-        about = each.metadata
-        stated = about['License-Expression'] or ' or '.join(
-            kind.split(' :: ')[-1] for kind in about.get_all('Classifier', []) if kind.startswith('License :: ')
-        ) or (about['License'] or 'see its files').splitlines()[0]
-        lines.append(f'- {each.name} {each.version}: {stated}\n')
-    return _LICENSES.format(packages=''.join(lines), pyodide=page_python.PYODIDE_VERSION)
 
 
 def _adapt(files: Path) -> None:

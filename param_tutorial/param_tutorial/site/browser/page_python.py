@@ -29,8 +29,6 @@ VERSION = importlib.metadata.version('param-tutorial')
 PYODIDE = ROOT / 'environment' / 'node_modules' / 'pyodide'
 # What is kept from one build to the next.
 WORK = ROOT / 'build' / 'page'
-PYODIDE_VERSION = json.loads((ROOT / 'environment' / 'package-lock.json').read_text(encoding='utf-8'))['packages'][
-    'node_modules/pyodide']['version']
 _PYODIDE_FILES = ('pyodide.asm.mjs', 'pyodide.asm.wasm', 'pyodide.mjs')
 # Compiled, it brings Python into a page in a third of the time.
 _STDLIB = 'python_stdlib.zip'
@@ -125,13 +123,6 @@ def kernel_wheel() -> Path:
 
 def _name(wheel: Path) -> str:
     return re.sub(r'[-_.]+', '-', wheel.name.partition('-')[0]).lower()
-
-
-def installed_distributions() -> list[str]:
-    """Return the names of the packages that are taken as they are installed here."""
-    of = importlib.metadata.packages_distributions()
-    # A ROS wheel may bring a second package along, which says less of itself.
-    return sorted({min(of[package], key=lambda name: not name.startswith('ros-')) for package in _INSTALLED})
 
 
 def _fetched() -> list[Path]:
