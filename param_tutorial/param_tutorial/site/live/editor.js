@@ -51,6 +51,7 @@ export function makeEditor(code, onChange, onRun) {
       EditorView.updateListener.of(update => update.docChanged && onChange(update.state.doc.toString())),
       EditorView.editorAttributes.of({class: 'highlight'}),
       EditorView.contentAttributes.of({
+        tabindex: '0', // for axe, which knows no editable text that the keyboard reaches
         'aria-label': 'The code of this cell',
         'aria-description': 'Tab indents. To leave the editor, press Escape and then Tab.',
       }),
