@@ -3,7 +3,6 @@
 import ast
 import re
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 
@@ -95,37 +94,3 @@ def test_no_chapter_of_the_exercises_imports_another(arrows):
 def test_the_tools_know_nothing_of_the_course(arrows):
     assert [(module, other) for module, others in arrows.items() for other in others
             if module.startswith('param_tools') and other.startswith('param_tutorial')] == []
-
-
-PAGE_AND_ROS = {'rclpy', 'rcl_interfaces', 'ipywidgets', 'IPython'}
-
-
-@pytest.mark.parametrize('rooms, forbidden', [
-    (('files', 'markup', 'descriptor', 'values', 'errors', 'lazy'), PAGE_AND_ROS),
-    (('ros', 'node', 'systems', 'cli', 'nodes'), {'ipywidgets', 'IPython', 'ipykernel', 'jupyter_client'})])
-def test_what_a_room_does_not_need(rooms, forbidden):
-    modules = [module for module in FILES if module not in ABOVE and room_of(module) in rooms]
-    assert len(modules) >= len(rooms)
-    for module in modules:
-        assert not outside_imports(FILES[module]) & forbidden, module
-
-
-def test_drawings_import_no_widget_no_ros_and_nothing_that_does(arrows):
-    drawings = {module for module in FILES if module.startswith('param_tutorial.views.drawing.')}
-    assert len(drawings) > 15
-    for module in drawings:
-        assert not outside_imports(FILES[module]) & PAGE_AND_ROS, module
-        assert {room_of(other) for other in arrows[module] if other not in drawings} <= {
-            'nodes', 'markup', 'views', 'errors'}
-        assert not [other for other in arrows[module] if room_of(other) == 'views' and 'drawing' not in other]
-
-
-def outside_imports(path: Path) -> set[str]:
-    """Return the packages that a file imports when it runs, by the first part of their names."""
-    found = set()
-    for statement in ast.walk(ast.parse(path.read_text())):
-        if isinstance(statement, ast.Import):
-            found |= {alias.name.split('.')[0] for alias in statement.names}
-        elif isinstance(statement, ast.ImportFrom) and statement.module and not statement.level:
-            found.add(statement.module.split('.')[0])
-    return found

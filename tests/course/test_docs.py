@@ -48,25 +48,6 @@ def test_the_start_page_promises_what_the_chapter_promises():
             assert any(re.match(rf'{re.escape(promise)}(?!\w)', objective) for objective in objectives), promise
 
 
-def test_the_start_page_adds_up_its_times():
-    index = (ROOT / 'notebooks/index.md').read_text()
-    table = rows(ROOT / 'notebooks/index.md')
-    student, = re.findall(r'^\| \*\*a student.*$', index, re.MULTILINE)
-    core = sum(_minutes(table[name][2]) for name in re.findall(r'\((\w+\.ipynb)\)', student))
-    everything = sum(_minutes(minutes) for _, _, minutes, _ in table.values())
-    assert student.endswith(f'| {_hours(core)} for these five, {_hours(everything)} for all |')
-
-
-def _minutes(text):
-    """Return the sum of '30 + 30', or the number alone."""
-    return sum(map(int, text.split(' + ')))
-
-
-def _hours(minutes):
-    hours, rest = divmod(minutes, 60)
-    return f'{hours} h {rest}' if rest else f'{hours} h'
-
-
 def test_a_chapter_has_the_shape_of_all():
     for name, chapter in CHAPTERS.items():
         text = opening(name)
