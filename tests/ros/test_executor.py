@@ -8,14 +8,12 @@ from pathlib import Path
 
 import pytest
 import rclpy
-from rclpy.client import Client
-from rclpy.executors import Executor
 from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions, get_current_signal_handlers_options
 
 import param_tutorial
 from param_tools.errors import ExecutorError
-from param_tools.ros import executor, stage
+from param_tools.ros import stage
 from param_tutorial import ParameterClient
 from tests.support.processes import environment_without_domain
 
@@ -113,60 +111,10 @@ def test_an_rclpy_that_somebody_else_initialised_is_left_alone():
         rclpy.shutdown()
 
 
-def test_a_start_that_fails_leaves_rclpy_to_the_next(monkeypatch):
-    def fail(*_, **__):
-        raise OSError('Too many open files')
-
-    param_tutorial.stop()
-    before = Node.__init__, rclpy.init
-    with monkeypatch.context() as patched:
-        patched.setattr(executor, 'Services', fail)
-        with pytest.raises(OSError, match='Too many open files'):
-            param_tutorial.start()
-    assert (Node.__init__, rclpy.init) == before
-    assert not rclpy.ok()
-    assert param_tutorial.start().services.node_names() == []
-
-
 def test_only_classes_of_nodes_are_added(ros):
     for wrong in ('speed', dict, Speed.__init__):
         with pytest.raises(ExecutorError, match='class derived from'):
             ros.add(wrong)
-
-
-@pytest.mark.slow
-@pytest.mark.filterwarnings('ignore:Exception ignored in:pytest.PytestUnraisableExceptionWarning')
-def test_an_interruption_that_python_only_prints_comes_again(ros, capfd):
-    """As in ``RcutilsLogger.__del__`` of rclpy."""
-    entered, let_go = threading.Event(), threading.Event()
-
-    def wait():
-        entered.set()
-        while not let_go.wait(0.01):
-            pass
-
-    class Swallows:
-        def __del__(self):
-            wait()
-
-    class Destroying(Speed):
-        def __init__(self):
-            super().__init__()
-            self.timer = self.create_timer(0.001, self.tick)
-
-        def tick(self):
-            self.timer.cancel()
-            swallows = Swallows()
-            del swallows
-            wait()
-
-    node = ros.add(Destroying)
-    assert entered.wait(30)
-    ros.run(lambda: None, 'do nothing', timeout_sec=0.3)
-    assert not let_go.is_set()
-    assert ros.nodes == (node,)
-    assert 'did not return, so it was interrupted' in capfd.readouterr().err
-    assert ParameterClient(node).set_parameter('rpm', 2).successful
 
 
 def test_run_gives_the_result_or_the_exception(ros):
@@ -174,28 +122,6 @@ def test_run_gives_the_result_or_the_exception(ros):
     with pytest.raises(KeyError, match='x'):
         ros.run(lambda: {}['x'], 'look up')
     assert ros.run(lambda: ros.run(lambda: 5, 'nest'), 'nest') == 5
-
-
-def test_listeners_hear_of_events_and_of_nodes_until_they_stop(ros):
-    events, changes = [], []
-    stop_events = ros.on_parameter_event(events.append)
-    stop_changes = ros.on_graph_change(lambda: changes.append(ros.services.node_names()))
-    client = ParameterClient(ros.add(Speed))
-    incarnation = ros.node_incarnations('/speed')
-    assert len(incarnation) == 1
-    ros.add(Speed)
-    assert ros.node_incarnations('/speed').isdisjoint(incarnation)
-    assert ['/speed'] in changes
-    client.set_parameter('rpm', 5)
-    param_tutorial.wait_until(
-        lambda: any(e.node == '/speed' and e.changed_parameters for e in events), 'the event')
-    stop_events()
-    stop_changes()
-    stop_changes()
-    seen = len(events), len(changes)
-    client.set_parameter('rpm', 6)
-    ros.remove('/speed')
-    assert (len(events), len(changes)) == seen
 
 
 @pytest.mark.slow
@@ -211,23 +137,6 @@ def test_many_restarts_do_not_pile_up(ros):
     assert threading.active_count() <= threads
     assert len(list(Path('/proc/self/fd').iterdir())) <= files
     assert ros.services.node_names() == ['/speed']
-
-
-def test_a_node_that_is_destroyed_leaves_no_service_behind(ros):
-    # It needs its own name: after a test whose callback never returns, the service of its node stays.
-    def services():
-        return len(ros.tool_node.get_subscriptions_info_by_topic(
-            'rq/leaver/get_type_descriptionRequest', no_mangle=True))
-
-    for _ in range(5):
-        node = ros.add(Speed, 'leaver')
-    param_tutorial.wait_until(lambda: services() == 1, 'those of the earlier nodes to go')
-    node.destroy_node()
-    param_tutorial.wait_until(lambda: services() == 0, 'the last one to go')
-    # A node without the service can be removed, too.
-    ros.add(Speed, 'leaver', ros_args=['-p', 'start_type_description_service:=false'])
-    assert ros.remove('/leaver')
-    assert ros.services.node_names() == []
 
 
 # A thread that spins while the interpreter ends aborts the process with status 134 (claims.md, 2g).
@@ -250,27 +159,6 @@ def test_the_interpreter_ends_well_with_a_busy_node(ending):
         {ending}
     ''')
     assert (done.returncode, done.stdout, done.stderr) == (0, '', '')
-
-
-def test_a_cell_cannot_take_a_node_away_from_the_stage(ros):
-    node = ros.add(Speed)
-    for _ in range(2):
-        with pytest.raises(ExecutorError, match=r'/speed is spun in the background already.*wait_until'):
-            rclpy.spin(node)
-    assert ParameterClient(node).set_parameter('rpm', 2).successful
-
-
-def test_stop_leaves_all_of_rclpy_as_it_was():
-    param_tutorial.stop()
-    places = {rclpy: ('spin', 'spin_once', 'spin_until_future_complete', 'init', 'shutdown', 'try_shutdown'),
-              Executor: ('spin', 'add_node'), Client: ('call',), Node: ('__init__',)}
-    before = [vars(owner)[name] for owner, names in places.items() for name in names]
-    param_tutorial.start()
-    assert [vars(owner)[name] for owner, names in places.items() for name in names] != before
-    param_tutorial.stop()
-    assert [vars(owner)[name] for owner, names in places.items() for name in names] == before
-    rclpy.init()
-    rclpy.shutdown()
 
 
 def test_a_node_that_is_destroyed_leaves_the_stage(ros):
@@ -312,56 +200,6 @@ def test_an_exception_that_repeats_is_shown_once_with_its_node_and_counted(ros, 
     assert [str(each) for each in ros.errors] == ['tick 1']
 
 
-# What blocks a thread forever: asleep in a lock, or awake and catching everything.
-STUCK = '''
-    import sys, threading, time, param_tutorial
-    from rclpy.node import Node
-    from param_tutorial import ParameterClient
-    from param_tools.errors import ExecutorError
-    from param_tutorial.nodes.simple_param_node import SimpleParamNode
-    from param_tools.ros import executor
-    executor.STOP_TIMEOUT_SEC = executor.INTERRUPT_TIMEOUT_SEC = 0.3
-    may_begin, entered = threading.Event(), threading.Event()
-    class Stuck(Node):
-        def __init__(self):
-            super().__init__('simple_param_node')
-            self.timer = self.create_timer(0.01, self.tick)
-        def tick(self):
-            if not may_begin.is_set():
-                return
-            entered.set()
-            if {asleep}:
-                threading.Event().wait()
-            while True:
-                try:
-                    time.sleep(0.001)
-                except BaseException:
-                    pass
-    ros = param_tutorial.start()
-    ros.add(Stuck)
-    may_begin.set()
-    entered.wait()
-'''
-
-
-@pytest.mark.slow
-def test_a_stage_whose_callback_never_returns_says_so_and_begins_anew():
-    done = run_python(STUCK.format(asleep=False) + '''
-    for _ in range(2):
-        try:
-            ros.run(lambda: None, 'work', timeout_sec=0.3)
-        except ExecutorError as error:
-            print(error)
-    fresh = param_tutorial.start()
-    print(fresh is ros, fresh.services.node_names())
-    print(ParameterClient(fresh.add(SimpleParamNode)).set_parameter('max_speed_rpm', 3))
-    ''')
-    sentence = ('cannot work: The timer callback tick of /simple_param_node does not return and cannot be interrupted'
-                '. Call start() again: it begins anew, without any node')
-    assert done.stdout.splitlines() == [
-        sentence, sentence, 'False []', '/simple_param_node accepted max_speed_rpm = 3'], done.stderr
-
-
 @pytest.mark.slow
 def test_a_request_that_an_endless_loop_has_made_late_is_answered_nevertheless(ros):
     class Looping(Node):
@@ -383,8 +221,31 @@ def test_a_request_that_an_endless_loop_has_made_late_is_answered_nevertheless(r
     assert client.set_parameter('rpm', 3).successful
 
 
+# Asleep in a lock, or awake and catching everything.
 @pytest.mark.slow
-@pytest.mark.parametrize('asleep', [True, False])
-def test_the_interpreter_ends_well_with_a_callback_that_never_returns(asleep):
-    done = run_python(STUCK.format(asleep=asleep) + '    sys.exit(3)')
+@pytest.mark.parametrize('blocks', ['threading.Event().wait()', 'catch_everything()'])
+def test_the_interpreter_ends_well_with_a_callback_that_never_returns(blocks):
+    done = run_python(f'''
+        import sys, threading, time, param_tutorial
+        from rclpy.node import Node
+        from param_tools.ros import executor
+        executor.STOP_TIMEOUT_SEC = executor.INTERRUPT_TIMEOUT_SEC = 0.3
+        entered = threading.Event()
+        def catch_everything():
+            while True:
+                try:
+                    time.sleep(0.001)
+                except BaseException:
+                    pass
+        class Stuck(Node):
+            def __init__(self):
+                super().__init__('stuck')
+                self.create_timer(0.01, self.tick)
+            def tick(self):
+                entered.set()
+                {blocks}
+        param_tutorial.start().add(Stuck)
+        entered.wait()
+        sys.exit(3)
+    ''')
     assert (done.returncode, done.stdout, done.stderr) == (3, '', '')

@@ -6,7 +6,7 @@ from rcl_interfaces.msg import Log
 from rclpy.node import Node
 
 from param_tools.errors import WaitTimeoutError
-from param_tools.ros.node_log import CAPACITY, NodeLog
+from param_tools.ros.node_log import NodeLog
 
 
 def message(text, name='a', level=20):
@@ -36,18 +36,6 @@ def test_each_line_is_read_once_and_only_up_to_the_one_wanted():
     assert log.read(until='two') == '[INFO] [a]: three\n[INFO] [a]: two'
     with pytest.raises(WaitTimeoutError, match=r"waiting for a log line with 'two'; what came:\n\(nothing\)"):
         log.read(until='two', timeout_sec=0.01)
-
-
-def test_clear_and_overflow():
-    log = NodeLog()
-    for number in range(CAPACITY + 10):
-        log.receive(message(str(number)))
-    assert len(log.lines()) == CAPACITY
-    assert log.read(until=str(CAPACITY)).startswith('[INFO] [a]: 10\n')
-    log.clear()
-    assert log.lines() == []
-    log.receive(message('after'))
-    assert log.read(until='after') == '[INFO] [a]: after'
 
 
 def test_after_a_mark_only_what_was_logged_later_is_read_even_if_the_rest_arrives_later(ros):

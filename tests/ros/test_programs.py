@@ -85,24 +85,6 @@ def test_ctrl_c_is_raised_where_a_program_spins_and_what_it_does_then_is_done(tm
         """) + 'print(terminal.interrupt())\nprint(terminal.text)', tmp_path) == '3\ninterrupted\ntidy False\n\n'
 
 
-def test_an_uncaught_ctrl_c_and_a_kill_are_told_apart(tmp_path):
-    start = written(tmp_path, """
-        import rclpy
-        from rclpy.node import Node
-        rclpy.init()
-        try:
-            rclpy.spin(Node('plain'))
-        finally:
-            print('finally')
-        """)
-    assert run(f'{start}print(terminal.interrupt(), terminal.text.splitlines()[-1])\n'
-               f'{start}terminal._process.send(9)\nprint(terminal._process.wait(3), terminal._process.poll(), '
-               'repr(terminal.text), ros.services.node_names(), flush=True)\n'
-               # Python would close what is left behind, at its own end.
-               'import os\nos._exit(0)', tmp_path) == (
-        "-2 KeyboardInterrupt\nTrue -9 '' []\n")
-
-
 def test_every_spin_of_rclpy_lets_others_live(tmp_path):
     assert run(written(tmp_path, """
         import rclpy, rclpy.executors

@@ -5,12 +5,7 @@ from rcl_interfaces.srv import ListParameters, SetParameters
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tools.errors import (
-    NoAnswerError,
-    NodeError,
-    NodeNotFoundError,
-    ParameterToolError,
-)
+from param_tools.errors import NoAnswerError, NodeError, NodeNotFoundError, ParameterToolError
 from param_tools.ros.services import full_name
 from param_tools.ros.waiting import wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
@@ -21,12 +16,6 @@ ROBOT = '/simple_param_node'
 
 def set_x(value):
     return SetParameters.Request(parameters=[Parameter('x', value=value).to_parameter_msg()])
-
-
-@pytest.mark.parametrize(('given', 'name'), [
-    ('talker', '/talker'), ('/talker', '/talker'), ('/left/talker/', '/left/talker')])
-def test_a_name_becomes_fully_qualified(given, name):
-    assert full_name(given) == name
 
 
 def test_a_destroyed_node_has_no_name(ros):
@@ -103,14 +92,3 @@ def test_requests_are_sent_in_the_order_of_the_calls(ros):
     futures = [ros.services.call_async('/counter', 'set_parameters', set_x(value)) for value in range(1, 6)]
     wait_until(lambda: all(future.done() for future in futures), 'the answers')
     assert node.seen == [1, 2, 3, 4, 5]
-
-
-@pytest.mark.slow
-def test_clients_of_a_node_that_has_left_are_not_kept(ros):
-    before, in_group = len(list(ros.tool_node.clients)), len(ros.tool_node.default_callback_group.entities)
-    for _ in range(3):
-        ros.add(SimpleParamNode)
-        assert ros.services.call(ROBOT, 'list_parameters', ListParameters.Request()).result.names
-        ros.remove_all()
-    wait_until(lambda: len(list(ros.tool_node.clients)) <= before, 'the clients to end', timeout_sec=20.0)
-    assert len(ros.tool_node.default_callback_group.entities) == in_group

@@ -1,7 +1,6 @@
 """What the tools use of rclpy that rclpy does not promise: private names, and habits that no documentation states.
 
-All of it stands here, so that a new rclpy breaks this file and no other. Each function rests on an assumption about
-rclpy 7.1, and tests/ros/test_rclpy_private.py has one test for each, named like the assumption.
+All of it stands here, so that a new rclpy breaks this file and no other.
 """
 
 import contextlib
