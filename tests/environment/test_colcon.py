@@ -30,7 +30,6 @@ class Workspace:
         self.log = (self.shell.home / 'ws/log/latest_build/logger_all.log').read_text()
         self.prefix = self.shell.home / 'ws' / 'install' / NAME
         self.share = self.prefix / 'share' / NAME
-        self.programs = self.prefix / 'lib' / NAME
 
     def where_is(self, module: str) -> Path:
         """Return the file that programs started here import."""
@@ -60,18 +59,11 @@ def test_ros_finds_the_package_in_the_index(workspace):
     assert workspace.shell.environment()['AMENT_PREFIX_PATH'].split(os.pathsep)[0] == str(workspace.prefix)
 
 
-def test_each_node_is_a_program(workspace):
-    nodes = {path.stem for path in (ROOT / NAME / NAME / 'nodes').glob('[a-z]*.py')}
-    assert {path.name for path in workspace.programs.iterdir()} == nodes
-    assert all(os.access(path, os.X_OK) for path in workspace.programs.iterdir())
-
-
-@pytest.mark.parametrize(('source', 'installed'), [('config', 'config'), (f'{NAME}/launch', 'launch')])
-def test_parameter_and_launch_files_are_installed(workspace, source, installed):
-    files = {path.name: path.read_text() for path in (ROOT / source).glob('*') if path.is_file()}
-    there = workspace.share / installed
-    assert {path.name: path.read_text() for path in there.iterdir() if path.is_file()} == files
-    assert (workspace.share / 'package.xml').exists()
+def test_parameter_and_launch_files_are_installed(workspace):
+    for source in (ROOT / 'config', ROOT / NAME / 'launch'):
+        files = {path.name: path.read_text() for path in source.glob('*') if path.is_file()}
+        there = workspace.share / source.name
+        assert {path.name: path.read_text() for path in there.iterdir() if path.is_file()} == files
 
 
 def test_the_package_is_imported_from_the_workspace_and_brings_its_data(workspace):

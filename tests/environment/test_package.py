@@ -7,7 +7,6 @@ import sys
 import xml.etree.ElementTree as ET
 
 import pytest
-import yaml
 
 from param_tools import __version__
 from param_tools.cli.run import node_programs
@@ -78,18 +77,6 @@ def test_the_course_takes_the_tools_with_all_that_they_need():
     tools = tomllib.loads((TOOLS / 'pyproject.toml').read_text())['project']
     needed = {each for extra in [tools['dependencies'], *tools['optional-dependencies'].values()] for each in extra}
     assert {each for each in needed if not each.startswith('param-tools[')} <= set(COURSE)
-
-
-def test_what_github_calls_is_here():
-    workflows = [yaml.safe_load(path.read_text()) for path in (ROOT / '.github' / 'workflows').glob('*.yml')]
-    steps = [step for workflow in workflows for job in workflow['jobs'].values() for step in job.get('steps', [])]
-    commands = [(ROOT / '.ci' / 'run').read_text(), *(step['run'] for step in steps if 'run' in step)]
-    called = {target for command in commands for target in re.findall(r'^ *make ([a-z-]+)', command, re.MULTILINE)}
-    makefile = (ROOT / 'Makefile').read_text()
-    assert called == {'test-all', 'test-rare', 'html', 'lock'}
-    assert called <= set(re.findall(r'^([a-z-]+):', makefile, re.MULTILINE))
-    published, = (step['with']['path'] for step in steps if 'upload-pages-artifact' in step.get('uses', ''))
-    assert re.search(rf'^html:.*## .* in {published}/,', makefile, re.MULTILINE)
 
 
 def entries(lock: str) -> list[str]:

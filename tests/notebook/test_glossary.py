@@ -40,12 +40,6 @@ def test_a_page_shows_code_text_and_a_link_to_the_chapter(folder):
     assert '<a href="10_1_second.ipynb">10.1</a>' in page
 
 
-def test_one_word_is_looked_up(folder):
-    assert repr(Glossary.of(folder)['-p']) == '-p  an option (2)'
-    with pytest.raises(KeyError, match='nobody'):
-        Glossary.of(folder)['nobody']
-
-
 def test_no_line_of_a_chapter_is_missed():
     chapters = list(NOTEBOOKS.glob('[0-9]*.ipynb'))
     glossary = Glossary.of(NOTEBOOKS)

@@ -115,31 +115,6 @@ def test_a_line_is_split_as_bash_splits_it(tmp_path, line, words, target):
     assert [path.name for path in tmp_path.iterdir()] == ([] if target is None else [target])
 
 
-class Recorder:
-    """A stream that notes what reaches it, and in which order."""
-
-    def __init__(self, name, notes):
-        self.name, self.notes, self.pending = name, notes, ''
-
-    def write(self, text):
-        self.pending += text
-        return len(text)
-
-    def flush(self):
-        if self.pending:
-            self.notes.append((self.name, self.pending))
-            self.pending = ''
-
-
-def test_one_stream_is_flushed_before_the_other_is_written():
-    notes = []
-    streams = magics._Streams(Recorder('out', notes), Recorder('err', notes))
-    for stream, text in ((streams.stdout, 'a'), (streams.stderr, 'b'), (streams.stdout, 'c'), (streams.stdout, 'd')):
-        stream.write(text)
-    streams.flush()
-    assert notes == [('out', 'a'), ('err', 'b'), ('out', 'cd')]
-
-
 # -- a terminal beside the notebook ----------------------------------------------------------------------------
 
 

@@ -1,6 +1,5 @@
 """shell: a bash that remembers, shows what does not change from day to day, and leaves nothing behind."""
 
-import gc
 import shlex
 import sys
 
@@ -55,26 +54,6 @@ def test_a_command_that_ends_the_shell_or_takes_too_long(shell):
     assert not shell.home.exists()
 
 
-@pytest.mark.slow
-def test_nothing_is_left_behind(shell):
-    shell.close()
-    shell.close()
-    assert not shell.home.exists()
-    forgotten = Shell()
-    home = forgotten.home
-    del forgotten
-    gc.collect()
-    assert not home.exists()
-
-
-def test_the_learners_own_settings_stay_outside(monkeypatch):
-    monkeypatch.setenv('COLCON_DEFAULTS_FILE', '/nowhere')
-    monkeypatch.setenv('PYTHONPATH', '/nowhere')
-    shell = Shell()
-    assert {'COLCON_DEFAULTS_FILE', 'PYTHONPATH'}.isdisjoint(shell.environment())
-    shell.close()
-
-
 def test_the_magic_types_a_cell_into_the_shell_it_names(shell, ipython, capsys):
     ipython.user_ns['first'] = shell
     ipython.run_cell_magic('shell', 'first', 'echo {braces} $((1 + 1))\nfalse\n')
@@ -96,13 +75,6 @@ def create(*words):
 def here(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     return tmp_path
-
-
-def test_a_question_mark_lists_the_licenses_and_writes_nothing(here):
-    out, err, status = create('arm', '--license', '?')
-    assert out.startswith('Supported licenses:\nApache-2.0\nBSL-1.0\n')
-    assert (err, status) == ('', 0)
-    assert not list(here.iterdir())
 
 
 def test_what_is_told_stands_in_the_files_whatever_it_is(here):

@@ -41,13 +41,6 @@ CELLS = [
     cell('runner.close()')]
 
 
-def test_those_cells_are_collected_that_need_a_shell_or_what_came_of_one():
-    assert [each['source'] for each in stored.collect({'cells': CELLS})] == [
-        '%%shell builder\npwd', "robot = Terminal('ros2 run a b', shell=runner)\nprint(robot.text)",
-        'robot.interrupt()',
-        'runner.close()']
-
-
 @pytest.mark.parametrize(('source', 'does'), [
     ('%%shell x', True), ('%%shell y', False), ('%%ros2\nx', False), ('print(x)', True), ('f(y=x.z)', True),
     ('x = 1', False), ('x = 1\nprint(x)', False), ('x = g(x)', True), ('%ros2 node list\nx', True), ('x = = 1', False)])

@@ -39,26 +39,6 @@ def test_a_program_is_run_by_the_python_that_has_rclpy(tmp_path, monkeypatch):
     assert Terminal(f'python3 {tmp_path}/program.py').read(until='has rclpy') == 'it has rclpy'
 
 
-def test_what_differs_in_each_launch_is_left_out(tmp_path):
-    said = """[INFO] [launch]: All log files can be found below /home/robot/.ros/log/2024-05-13-robot-12
-[INFO] [launch]: Default logging verbosity is set to INFO
-[INFO] [a-1]: process started with pid [13]
-[a-1] process started with pid [14]
-[INFO] [a-1]: process has finished cleanly [pid 13]
-[ERROR] [b-2]: process has died [pid 15, exit code 1, cmd 'b'].
-"""
-    (tmp_path / 'said').write_text(said)
-    terminal = Terminal(f'cat {tmp_path}/said')
-    terminal.read(until='has died')
-    terminal.interrupt()
-    assert terminal.text == """[INFO] [launch]: Default logging verbosity is set to INFO
-[INFO] [a-1]: process started
-[a-1] process started with pid [14]
-[INFO] [a-1]: process has finished cleanly
-[ERROR] [b-2]: process has died [exit code 1, cmd 'b'].
-"""
-
-
 def test_a_command_reads_from_a_terminal_where_nobody_types():
     python = f'{sys.executable} -c'
     terminal = Terminal(f"""{python} 'import sys; print("typed:", sys.stdin.isatty(), flush=True); input()'""")
@@ -83,11 +63,6 @@ def test_a_command_that_ignores_ctrl_c_is_killed():
     terminal.read(until='1')
     assert terminal.interrupt(timeout_sec=0.2) == -9
     assert not psutil.pid_exists(terminal._process.process.pid)
-
-
-def test_a_command_that_does_not_exist():
-    with pytest.raises(FileNotFoundError, match='no_such_command'):
-        Terminal('no_such_command at all')
 
 
 def test_a_new_start_ends_the_terminals_of_an_earlier_run(ros):
