@@ -35,12 +35,6 @@ def says(browser):
     return {name: each['says'] for name, each in lines(browser).items()}
 
 
-def test_a_panel_without_a_node_lists_the_nodes_that_there_are(shown):
-    assert shown.nodes == ['/arm', '/fan']
-    assert shown._front.state['status'] == '2 nodes'
-    assert repr(shown) == '<ParameterBrowser>'
-
-
 @pytest.mark.slow
 def test_nodes_come_and_go_and_come_back_as_others(ros, shown):
     class Bigger(Fan):

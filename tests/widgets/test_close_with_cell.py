@@ -1,7 +1,6 @@
 """What a cell made goes when the cell runs again."""
 
 import pytest
-from ipywidgets.widgets.widget import _instances as widget_registry
 
 from param_tools.panel import close_with_cell
 from param_tools.panel.panel import ParameterPanel
@@ -62,17 +61,3 @@ def test_what_another_cell_shows_stays_until_that_one_runs_again(ros, run):
     run_cell('cell 3', 8)
     LogView()
     assert panel.comm is None
-
-
-@pytest.mark.parametrize('make', [
-    lambda: ParameterPanel('/simple_param_node'), LogView,
-    lambda: SideBySide(RobotView('/simple_param_node'), ParameterPanel('/simple_param_node')), terminal_hint], ids=[
-        'panel', 'log', 'side by side', 'line for a terminal'])
-def test_a_closed_view_leaves_nothing_with_ipywidgets(ros, make):
-    ros.add(SimpleParamNode)
-    before = set(widget_registry)
-    view = make()
-    assert set(widget_registry) > before
-    for part in (view, *getattr(view, 'parts', ())):
-        part.close()
-    assert set(widget_registry) == before

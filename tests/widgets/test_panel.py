@@ -61,15 +61,6 @@ def test_a_value_that_the_node_changes_is_shown_as_stored(ros):
     wait_until(lambda: (shows(panel, 'x'), says(panel, 'x')) == (('3',), None), 'the next change')
 
 
-def test_a_change_made_elsewhere_shows_without_being_asked_for(arm):
-    client = ParameterClient(NODE)
-    client.set_parameter('joints', 9)
-    wait_until(lambda: shows(arm, 'joints') == ('9', 2), 'the panel to follow')
-    client.set_parameters({'tool': 'saw', 'enabled': False})
-    wait_until(lambda: shows(arm, 'tool') == ('saw',) and shows(arm, 'enabled') == ('false',),
-                          'the panel to follow')
-
-
 def test_a_dynamic_parameter_that_has_become_bytes_still_shows_what_it_was(arm):
     """An empty list is an array of bytes to rclpy, and no number can be written as one."""
     enter(arm, 'payload', '[]')
@@ -307,10 +298,3 @@ def test_while_the_node_thinks_the_panel_says_that_it_waits(ros):
     wait_until(lambda: says(panel, 'x') == waiting, 'the panel to say that it waits')
     node.open.release()
     wait_until(lambda: (shows(panel, 'x'), says(panel, 'x')) == (('5',), None), 'the answer')
-
-
-def test_a_panel_of_many_parameters_has_a_search_and_one_without_tools_only_reset(ros, arm):
-    parts = ('type="search"', '>Undo<', '>Reset<')
-    few = ParameterPanel(NODE, names=['tool'], tools=False)
-    assert [part in arm._front.markup for part in parts] == [True, True, True]
-    assert [part in few._front.markup for part in parts] == [False, False, True]

@@ -2,8 +2,6 @@
 
 import gc
 import sys
-import threading
-import weakref
 
 import pytest
 from rcl_interfaces.msg import ParameterDescriptor as Describe
@@ -11,12 +9,9 @@ from rcl_interfaces.msg import SetParametersResult
 from rclpy.node import Node
 
 import param_tutorial
-from param_tools.panel.front import PendingMessages
 from param_tools.panel.panel import ParameterPanel
-from param_tools.ros import stage
 from param_tools.ros.waiting import wait_until
 from param_tutorial.nodes.pid_controller_node import PidControllerNode
-from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.views import CartView, EventView, LogView, RobotView, StepResponseView
 from tests.support.widgets import texts
 
@@ -65,45 +60,3 @@ def test_text_from_a_node_is_not_taken_for_html(ros):
     # Description, once more as a tooltip, constraints and value; the script puts the reason in as text.
     assert panel._front.markup.count('&lt;img src=x onerror=alert(1)&gt;') == 4
     assert '<img' not in panel._front.markup + texts(view)
-
-
-@pytest.mark.slow
-def test_after_closing_nothing_listens_any_more(ros):
-    ros.add(SimpleParamNode)
-    def listeners():
-        return [len(each) for each in (ros._event_listeners, ros._graph_listeners, stage._change_listeners,
-                                       ros.node_log._listeners)]
-    before = listeners()
-    panel, view = ParameterPanel('/simple_param_node'), LogView()
-    assert listeners() == [before[0] + 1, before[1] + 1, before[2] + 2, before[3] + 1]
-    gone = weakref.ref(panel), weakref.ref(view)
-    panel.close()
-    panel.close()
-    view.close()
-    assert listeners() == before
-    del panel, view
-
-    def all_gone():
-        gc.collect()
-        return not any(reference() for reference in gone)
-    wait_until(all_gone, 'the closed widgets to be collected')
-
-
-def test_a_cell_waits_for_the_messages_that_came_before_it_and_not_forever():
-    messages = PendingMessages()
-    assert messages.wait(0)
-    messages.add()
-    messages.add()
-    handlers = [threading.Thread(target=messages.remove) for _ in range(2)]
-    for handler in handlers:
-        handler.start()
-    assert messages.wait(60)
-    for handler in handlers:
-        handler.join()
-    messages.add()
-    assert not messages.wait(0)
-    assert messages.wait(0), 'one that is lost is waited for once'
-    # The late one arrives after all, and does not count as the next one.
-    messages.remove()
-    messages.add()
-    assert not messages.wait(0)
