@@ -7,7 +7,7 @@ another process is there first once in a while. The kernel then dies, or its cli
 import tempfile
 import time
 import uuid
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import Any
 
 import zmq
@@ -37,14 +37,10 @@ class KernelManager(manager.KernelManager):
 class Kernel:
     """A kernel, and what its cells printed."""
 
-    def __init__(self, environment: Mapping[str, str] | None = None) -> None:
-        """Start it.
-
-        :param environment: By default that of this process, but with a ROS domain of the kernel's own.
-        """
+    def __init__(self) -> None:
+        """Start it, with a ROS domain of its own."""
         self.manager = KernelManager(kernel_name='python3')
-        # The tests of this process have a ROS domain already.
-        self.manager.start_kernel(env=dict(environment or environment_without_domain()))
+        self.manager.start_kernel(env=environment_without_domain())
         self.client = self.manager.blocking_client()
         self.client.start_channels()
         self.client.wait_for_ready(DEADLINE_SEC)

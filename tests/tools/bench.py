@@ -13,7 +13,6 @@ import statistics
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -131,27 +130,6 @@ for number in range(PROCESSES):
 result = {'magic': statistics.median(magics), 'process': statistics.median(processes)}
 '''
 
-LARGE = (
-    '# Large\nMany parameters:',
-    '''import param_tutorial
-from param_tutorial import ParameterPanel
-from rclpy.node import Node
-
-
-class Large(Node):
-    def __init__(self, name, groups, each):
-        super().__init__(name)
-        for group in range(groups):
-            for number in range(each):
-                self.declare_parameter(f'layers.plugin_{group}.weight_{number}', 0.5 * number)
-
-
-ros = param_tutorial.start()
-ros.add(Large, 'large', 10, 50)
-ros.add(Large, 'small', 1, 1)
-ParameterPanel('/small')''',
-    'ParameterPanel("/large")',
-)
 END_KERNEL = '() => window.jupyterapp.shell.currentWidget.sessionContext.shutdown()'
 START_AND_RUN_ALL = """async () => {
     await window.jupyterapp.shell.currentWidget.sessionContext.changeKernel({name: 'python3'});
@@ -201,7 +179,11 @@ def command(processes: int) -> list[Row]:
 
 def first_panel(rounds: int) -> list[Row]:
     """Measure a lesson's start in the real JupyterLab and Chromium."""
-    with _opened(lesson.LESSON) as page:
+    with contextlib.ExitStack() as stack:
+        scratch = Path(stack.enter_context(tempfile.TemporaryDirectory()))
+        notebook = lesson.write(scratch / 'notebook.ipynb')
+        lab = stack.enter_context(Lab(scratch / 'lab', [notebook]))
+        page = LabPage(lab, stack.enter_context(chromium()), notebook.name)
         # JupyterLab never comes to the end of a restart that is asked for while it connects to the kernel.
         page.run_all()
         # Jupyter Server asks a starting kernel who it is; where the answer is lost, as it often is, it asks again after
@@ -226,27 +208,6 @@ def _until_shown(page: LabPage, shown: Locator) -> float:
     return took
 
 
-def large_panel() -> list[Row]:
-    """Measure how long the panel of a large node takes to be seen."""
-    with _opened(LARGE) as page:
-        page.run_cell(1)  # the first widget of a page brings the code of all widgets
-        page.select_cell(2)
-        start = time.monotonic()
-        page.command('notebook:run-cell')
-        expect(page.page.locator('.param-row')).to_have_count(3 + 502)
-        took = time.monotonic() - start
-    return [Row('502 parameters of a node on screen', f'{took:.2f} s', 'at most 2 s', took <= 2)]
-
-
-@contextlib.contextmanager
-def _opened(cells: tuple[str, ...]) -> Iterator[LabPage]:
-    """Open a notebook of these cells in JupyterLab."""
-    with tempfile.TemporaryDirectory() as scratch:
-        notebook = lesson.write(Path(scratch) / 'notebook.ipynb', cells)
-        with Lab(Path(scratch) / 'lab', [notebook]) as lab, chromium() as browser:
-            yield LabPage(lab, browser, notebook.name)
-
-
 def _ms(seconds: float) -> str:
     return f'{1000 * seconds:.2f} ms'
 
@@ -259,7 +220,7 @@ def main() -> int:
     print(f'{os.cpu_count()} cores, Python {platform.python_version()}, load {os.getloadavg()[0]:.1f}')
     is_met = True
     for measure in (lambda: latency(100 if quick else 1000), lambda: command(3 if quick else 10),
-                    lambda: first_panel(1 if quick else 10), large_panel):
+                    lambda: first_panel(1 if quick else 10)):
         for row in measure():
             is_met &= row.is_met
             print(f'{row.what:60} {row.figure:28} {row.bar:20} {"" if row.is_met else "NOT MET"}', flush=True)
