@@ -9,7 +9,7 @@ import nbformat
 import pytest
 from nbformat.sign import NotebookNotary
 
-from param_tutorial.learner import command
+from param_tutorial.learner.__main__ import main
 from param_tutorial.learner.copies import Copies, CopiesError
 from tests.support.paths import ROOT
 
@@ -85,12 +85,6 @@ def test_the_first_start_delivers_what_a_learner_needs_and_nothing_of_the_tests(
         assert [(cell.outputs, cell.execution_count) for cell in copy.cells[1:]] == [([], None)] * (len(copy.cells) - 1)
 
 
-def test_only_the_first_start_has_something_to_say(course):
-    said, = Copies(course).deliver()
-    assert said == 'Your own copies of the chapters are in my_lessons/. Change whatever you like there.'
-    assert Copies(course).deliver() == []
-
-
 def test_jupyterlab_trusts_a_fresh_copy(copies):
     notary = NotebookNotary(data_dir=str(copies.trust))
     assert notary.check_signature(nbformat.read(copies.folder / FIRST, as_version=4))
@@ -108,43 +102,22 @@ def test_git_and_make_clean_leave_them_alone(course, copies):
     assert files(copies.folder) == before
 
 
-def test_an_untouched_copy_is_replaced_by_the_changed_chapter(copies):
+def test_what_the_learner_has_not_changed_follows_the_course(copies):
+    notebook = nbformat.read(copies.folder / FIRST, as_version=4)
+    notebook.cells[1].outputs = [nbformat.v4.new_output('stream', text='ran')]
+    notebook.cells.append(nbformat.v4.new_code_cell())  # as Shift+Enter does in the last cell
+    text = '\ufeff' + nbformat.v4.writes(notebook).replace('\n', '\r\n')  # an editor of Windows saved it
+    (copies.folder / FIRST).write_bytes(text.encode())
     write_chapter(copies.chapters / FIRST, 'speed = 2', 'drive(speed)')
     (copies.chapters / 'index.md').write_text('# New start')
     assert copies.deliver() == []
     assert sources(copies.folder / FIRST) == ['# Title', 'speed = 2', 'drive(speed)']
     assert (copies.folder / 'index.md').read_text() == '# New start'
-    assert not (copies.folder / 'backups').exists()
-
-
-def test_a_copy_that_was_run_is_replaced_too_and_its_outputs_are_kept(copies):
-    edit(copies.folder / FIRST, 1, 'speed = 1')
-    notebook = nbformat.read(copies.folder / FIRST, as_version=4)
-    notebook.cells.append(nbformat.v4.new_code_cell())  # as Shift+Enter does in the last cell
-    text = '\ufeff' + nbformat.v4.writes(notebook).replace('\n', '\r\n')  # an editor of Windows saved it
-    (copies.folder / FIRST).write_bytes(before := text.encode())
-    write_chapter(copies.chapters / FIRST, 'speed = 2')
-    said, = copies.deliver()
-    kept, = (copies.folder / 'backups').iterdir()
-    assert said == (f'my_lessons/{FIRST} is now the new version. You had changed no cell; the file with your '
-                    f'outputs is kept as my_lessons/backups/{kept.name}/{FIRST}.')
-    assert sources(copies.folder / FIRST) == ['# Title', 'speed = 2']
-    assert backups(copies) == [before]
 
 
 def test_a_deleted_copy_comes_back(copies):
     before = files(copies.folder)
     (copies.folder / FIRST).unlink()
-    (copies.folder / 'index.md').unlink()
-    assert copies.deliver() == []
-    assert files(copies.folder) == before
-
-
-def test_a_second_start_changes_nothing(copies):
-    edit(copies.folder / FIRST, 1, 'speed = 99')
-    (copies.folder / 'index.md').write_text('# My start')
-    (copies.folder / '06_mine.ipynb').write_text('my own')
-    before = files(copies.folder)
     assert copies.deliver() == []
     assert files(copies.folder) == before
 
@@ -182,26 +155,21 @@ def test_a_copy_that_is_no_notebook_any_more_stays_until_it_is_reset(copies):
     assert backups(copies) == [b'{"cells": [']
 
 
-@pytest.mark.parametrize('chapter', ['5.1', '05_1_second'])
-def test_a_chapter_is_made_fresh_again_and_what_was_there_is_kept(copies, chapter):
+def test_a_chapter_is_made_fresh_again_and_what_was_there_is_kept(copies):
     fresh = files(copies.folder)[SECOND]
     before = edit(copies.folder / SECOND, 1, 'turn = 99')
-    said = copies.reset(chapter)
+    said = copies.reset('5.1')
     kept, = (copies.folder / 'backups').iterdir()
     assert said.startswith(f'my_lessons/{SECOND} is fresh again. What was there is now my_lessons/backups/{kept.name}/')
     assert files(copies.folder)[SECOND] == fresh
     assert backups(copies, SECOND) == [before]
-
-
-def test_a_fresh_chapter_is_left_as_it_is(copies):
-    assert copies.reset('1') == f'my_lessons/{FIRST} is fresh already.'
-    assert backups(copies) == []
+    assert copies.reset('05_1_second') == f'my_lessons/{SECOND} is fresh already.'
 
 
 @pytest.mark.parametrize(('chapter', 'there'), [
     ('05', 'Did you mean 5.1?'), ('6', 'There is: 1, 5.1')])
 def test_a_chapter_that_is_not_there_is_an_error_that_names_those_that_are(course, capsys, chapter, there):
-    assert command.main([chapter, '--course', str(course)]) == 1
+    assert main([chapter, '--course', str(course)]) == 1
     assert capsys.readouterr().err == f'There is no chapter {chapter!r}. {there}\n'
 
 
@@ -213,8 +181,7 @@ def test_make_reset_says_which_chapter_it_wants():
 
 
 @pytest.mark.parametrize('written', [0, 1])  # 1 is the backup
-@pytest.mark.parametrize('work', [Copies.deliver, lambda copies: copies.reset('1')], ids=['deliver', 'reset'])
-def test_what_the_system_rejects_is_one_sentence_and_changes_no_copy(copies, monkeypatch, work, written):
+def test_what_the_system_rejects_is_one_sentence_and_changes_no_copy(copies, monkeypatch, written):
     mine = edit(copies.folder / FIRST, 1, 'speed = 1')
     write_chapter(copies.chapters / FIRST, 'speed = 2')
     before = files(copies.folder)
@@ -227,10 +194,7 @@ def test_what_the_system_rejects_is_one_sentence_and_changes_no_copy(copies, mon
 
     monkeypatch.setattr(os, 'fsync', reject)
     with pytest.raises(CopiesError, match=r'nothing of yours was lost\. The reason: No space left on device: the file'):
-        work(copies)
+        copies.reset('1')
     assert {name: content for name, content in files(copies.folder).items() if 'backups/' not in name} == before
     assert backups(copies) == [mine] * written
     assert not [path for path in copies.folder.rglob('*.new')]
-    monkeypatch.undo()
-    copies.deliver()
-    assert sources(copies.folder / FIRST) == ['# Title', 'speed = 2']

@@ -1,9 +1,9 @@
 """The learner's files: copies of the chapters, and what has been solved. No ROS.
 
-    copies       the folder of the copies: what ``make lab`` puts there, what stays, and what is kept as a backup
+    copies       the folder of the copies: what ``make lab`` puts there, and what stays
     progress     the file that remembers what a learner has solved and predicted
     ticks        the start page, with a mark at each chapter
-    command      ``python -m param_tutorial.learner``: a chapter fresh again
+    __main__     ``make reset``: a chapter fresh again
     syllabus     what there is to solve in each chapter
     storage      files written whole or not at all, and by one process at a time
 

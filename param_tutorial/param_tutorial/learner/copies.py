@@ -2,8 +2,8 @@
 
 A copy in which the learner has changed nothing follows the course. A changed one stays as it is until the learner
 resets it. ``.delivered/`` tells them apart: an empty file for each text ever delivered, named by a digest of that
-text. ``backups/`` keeps the files of the learner's that were replaced, and ``.trust/`` what
-JupyterLab knows of whose outputs to trust.
+text. ``backups/`` keeps the changed ones that were reset, and ``.trust/`` what JupyterLab knows of whose outputs to
+trust.
 """
 
 import contextlib
@@ -19,7 +19,7 @@ from nbformat.sign import NotebookNotary
 from param_tools.errors import ParameterToolError, nearest
 from param_tutorial.learner import ticks
 from param_tutorial.learner.progress import FILE, ProgressFile
-from param_tutorial.learner.storage import named_after_now, write_whole
+from param_tutorial.learner.storage import time_stamp, write_whole
 from param_tutorial.learner.syllabus import number_of, read_syllabus
 
 CHAPTERS = 'notebooks'
@@ -117,27 +117,20 @@ class Copies:
         :return: What the learner should know of it, if anything.
         """
         copy, fresh = self.folder / name, _fresh(self.chapters / name)
-        new = self._delivered(_digest(name, fresh))
         content = _bytes_of(copy)
-        if content is None:
+        new = self._delivered(_digest(name, fresh))
+        mine = None if content is None else self._delivered(_digest(name, content))
+        if mine is None or (mine != new and mine.exists()):
             self._give(name, fresh)
-            return None
-        mine = self._delivered(_digest(name, content))
-        if mine == new or (new.exists() and not mine.exists()):  # it is the new version, or was made from it
+        elif mine == new or new.exists():  # it is the new version, or was made from it
             new.touch()
-            return None
-        if not mine.exists():
+        else:
             is_chapter = name.suffix == '.ipynb' and name.parent == Path()
             remedy = (f'make reset CHAPTER={number_of(name.stem)} gives you the new one and keeps yours as a backup.'
                       if is_chapter else 'Rename or delete yours, and the next make lab brings the new one.')
             return (f'There is a new version of {self._say(copy)}. Yours stays as it is, because you have changed it. '
                     f'{remedy}')
-        kept = self._back_up(name) if b'"output_type":' in content else None
-        self._give(name, fresh)
-        if kept is None:
-            return None
-        return (f'{self._say(copy)} is now the new version. You had changed no cell; the file with your outputs is '
-                f'kept as {self._say(kept)}.')
+        return None
 
     def _give(self, name: Path, fresh: bytes) -> None:
         """Put a fresh copy in its place; what was there is not kept."""
@@ -159,7 +152,7 @@ class Copies:
 
         :return: Where it is kept.
         """
-        kept = named_after_now(lambda now: self.folder / BACKUPS / now / name)
+        kept = self.folder / BACKUPS / time_stamp() / name
         write_whole(kept, (self.folder / name).read_bytes())
         return kept
 

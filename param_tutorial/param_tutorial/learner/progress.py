@@ -14,7 +14,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 from param_tools.errors import ParameterToolError
-from param_tutorial.learner.storage import named_after_now, only_one, write_whole
+from param_tutorial.learner.storage import only_one, time_stamp, write_whole
 
 VARIABLE = 'PARAM_TUTORIAL_PROGRESS'
 FILE = 'progress.json'
@@ -126,8 +126,8 @@ class ProgressFile:
                     try:
                         progress = parse(self.path.read_bytes())
                     except ProgressError as error:
-                        kept = self.path.rename(named_after_now(
-                            lambda now: self.path.with_name(f'{self.path.stem}-damaged-{now}{self.path.suffix}')))
+                        name = f'{self.path.stem}-damaged-{time_stamp()}{self.path.suffix}'
+                        kept = self.path.rename(self.path.with_name(name))
                         said = f'Your {self.path.name} could not be read: {error}. It is kept as {kept.name}.'
                 before = _text_of(progress)
                 change(progress)

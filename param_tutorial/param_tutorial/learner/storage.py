@@ -2,9 +2,8 @@
 
 import contextlib
 import datetime
-import itertools
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 
@@ -25,14 +24,9 @@ def write_whole(path: Path, content: bytes) -> None:
         new.unlink(missing_ok=True)
 
 
-def named_after_now(path_for: Callable[[str], Path]) -> Path:
-    """Return a path that is not there yet, named after the date and time.
-
-    :param path_for: Returns the path with a date and time in it.
-    """
-    now = f'{datetime.datetime.now():%Y-%m-%d_%H-%M-%S}'
-    times = itertools.chain([now], (f'{now}_{number}' for number in itertools.count(2)))
-    return next(path for path in map(path_for, times) if not path.exists())
+def time_stamp() -> str:
+    """Return the date and time, for the name of something that nothing else is called yet."""
+    return f'{datetime.datetime.now():%Y-%m-%d_%H-%M-%S-%f}'
 
 
 @contextlib.contextmanager
