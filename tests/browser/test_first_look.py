@@ -92,12 +92,10 @@ def test_a_learner_starts_comes_back_and_gets_a_new_version(tmp_path):
         expect_live_panel(page)
         assert [trusted for _, _, trusted in page.evaluate(CELLS)] == [True] * 4
 
-    # The course changes, the learner has changed no cell: the next start brings the new version, and keeps what ran.
-    ran = (lab.copies / CHAPTER).read_bytes()
+    # The course changes, the learner has changed no cell: the next start brings the new version.
     write_chapter(lab.course / 'notebooks' / CHAPTER, '# A better lesson\nStart ROS:')
     with lab, chromium() as browser:
         page = open_lab(lab, browser, f'lab/tree/{CHAPTER}')
         expect(page.get_by_role('heading', name='A better lesson')).to_be_visible()
         expect(page.locator('.jp-OutputArea-output')).to_have_count(0)
         assert [trusted for _, _, trusted in page.evaluate(CELLS)] == [True] * 4
-    assert [path.read_bytes() for path in lab.copies.glob(f'backups/*/{CHAPTER}')] == [ran]
