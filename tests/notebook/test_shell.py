@@ -56,11 +56,11 @@ def test_a_command_that_ends_the_shell_or_takes_too_long(shell):
 
 def test_the_magic_types_a_cell_into_the_shell_it_names(shell, ipython, capsys):
     ipython.user_ns['first'] = shell
-    ipython.run_cell_magic('shell', 'first', 'echo {braces} $((1 + 1))\nfalse\n')
+    ipython.run_cell('%%shell first\necho {braces} $((1 + 1))\nfalse\n')
     assert capsys.readouterr().out == '{braces} 2\n'
     assert ipython.user_ns['_exit_code'] == 1
-    with pytest.raises(UsageError, match='nobody is none'):
-        ipython.run_cell_magic('shell', 'nobody', 'echo lost')
+    error = ipython.run_cell('%%shell nobody\necho lost').error_in_exec
+    assert isinstance(error, UsageError) and 'nobody is none' in str(error)
 
 
 # -- ros2 pkg create: what it writes is recorded in tests/cli/transcripts ---------------------------------------------

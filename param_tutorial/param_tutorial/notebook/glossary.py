@@ -53,20 +53,10 @@ class Glossary:
             raise FileNotFoundError(f'there is no chapter in {str(folder)!r}: give the folder with the notebooks')
         return cls(entry for path in paths for entry in _entries(path))
 
-    def __getitem__(self, word: str) -> 'Glossary':
-        """Return the entries for a word.
-
-        :raises KeyError: there is none.
-        """
-        found = [entry for entry in self.entries if entry.plain_word == word.replace('`', '')]
-        if not found:
-            raise KeyError(word)
-        return Glossary(found)
-
     def __repr__(self) -> str:
-        width = max((len(entry.plain_word) for entry in self.entries), default=0)
+        width = max(len(entry.plain_word) for entry in self.entries)
         return '\n'.join(f'{entry.plain_word:{width}}  {entry.meaning.replace("`", "")} ({entry.chapter})'
-                         for entry in self.entries) or '(no words)'
+                         for entry in self.entries)
 
     def _repr_html_(self) -> str:
         return _STYLE + table(('word', 'meaning', 'chapter'), map(_row, self.entries), css_class='param-glossary',

@@ -42,6 +42,8 @@ def load_ipython_extension(ipython: InteractiveShell) -> None:
     ipython.user_ns.update(exit=_NoExit(), quit=_NoExit())
     ipython.InteractiveTB.set_mode('Minimal')
     ipython.events.register('pre_run_cell', _before_cell)
+    if _await_shell not in ipython.input_transformers_post:
+        ipython.input_transformers_post.append(_await_shell)
     if not host.host.has_processes:
         stored.install(ipython)
     if hasattr(ipython, 'kernel'):
@@ -49,21 +51,18 @@ def load_ipython_extension(ipython: InteractiveShell) -> None:
         from param_tutorial.notebook import veil
 
         veil.begin()
-        if _await_shell not in ipython.input_transformers_post:
-            ipython.input_transformers_post.append(_await_shell)
 
 
 _SHELL_CALL = "get_ipython().run_cell_magic('shell', "
 
 
 def _await_shell(lines: list[str]) -> list[str]:
-    """Make a cell of ``%%shell`` one that awaits its commands.
+    """Let a cell of ``%%shell`` await its commands.
 
     Where a page has no subshell for its widgets, ipykernel hears of sliders and buttons while a cell awaits something,
     and not before the end of any other cell.
     """
-    return [line.replace(_SHELL_CALL, "await get_ipython().run_cell_magic('shell_awaited', ", 1)
-            if line.startswith(_SHELL_CALL) else line for line in lines]
+    return [f'await {line}' if line.startswith(_SHELL_CALL) else line for line in lines]
 
 
 def _before_cell(info: ExecutionInfo) -> None:
@@ -112,30 +111,17 @@ class Ros2Magics(Magics):
 
     @no_var_expand
     @cell_magic('shell')
-    def shell_cell(self, line: str, cell: str) -> None:
+    async def shell_cell(self, line: str, cell: str) -> None:
         """Type the cell's lines into a Shell: ``%%shell first``, where ``first`` is the notebook's name for it.
 
-        The exit status is in ``_exit_code`` afterwards.
+        The exit status is in ``_exit_code`` afterwards. The kernel is free meanwhile.
         """
-        shell = self._shell_named(line.strip())
-        self._show(shell, shell.run(cell.rstrip('\n')))
-
-    @no_var_expand
-    @cell_magic('shell_awaited')
-    async def shell_cell_awaited(self, line: str, cell: str) -> None:
-        """Do what ``%%shell`` does, and leave the kernel free meanwhile; a kernel makes each ``%%shell`` this."""
-        shell = self._shell_named(line.strip())
-        self._show(shell, await shell.run_awaited(cell.rstrip('\n')))
-
-    def _shell_named(self, name: str) -> Shell:
+        name = line.strip()
         shell = self._names.get(name)
         if not isinstance(shell, Shell):
             raise UsageError(f'%%shell takes the name of a Shell, as in: first = param_tutorial.Shell(), and then '
                              f'%%shell first. {name or "(nothing)"} is none')
-        return shell
-
-    def _show(self, shell: Shell, output: str) -> None:
-        if output:
+        if output := await shell.run_awaited(cell.rstrip('\n')):
             print(output)
         self._names['_exit_code'] = shell.status
 
@@ -221,36 +207,23 @@ def _run(command: _Command) -> int:
         if command.target is not None:
             path = Path(command.target).expanduser()
             output = stack.enter_context(path.open('a' if command.append else 'w', encoding='utf-8'))
-        streams = _Streams(output, sys.stderr)
+        streams = _Stream(output, sys.stderr), _Stream(sys.stderr, output)
         try:
-            return embedded.main(command.words, Session(streams.stdout, streams.stderr, stage.current, in_notebook=True,
+            return embedded.main(command.words, Session(*streams, stage.current, in_notebook=True,
                                                         advise_instead=_advise_terminal))
         finally:
-            streams.flush()
-
-
-class _Streams:
-    """Two streams of which one is flushed before the other is written, so that a cell keeps their order."""
-
-    def __init__(self, stdout: TextStream, stderr: TextStream):
-        self.stdout = _Stream(stdout, self)
-        self.stderr = _Stream(stderr, self)
-        self.last = self.stdout
-
-    def flush(self) -> None:
-        self.stdout.flush()
-        self.stderr.flush()
+            for stream in streams:
+                stream.flush()
 
 
 class _Stream:
-    def __init__(self, stream: TextStream, streams: _Streams):
-        self._stream = stream
-        self._streams = streams
+    """A stream that is written after another one has been flushed, so that a cell keeps the order of the two."""
+
+    def __init__(self, stream: TextStream, other: TextStream):
+        self._stream, self._other = stream, other
 
     def write(self, text: str) -> int:
-        if self._streams.last is not self:
-            self._streams.last.flush()
-            self._streams.last = self
+        self._other.flush()
         return self._stream.write(text)
 
     def flush(self) -> None:
