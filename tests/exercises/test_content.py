@@ -13,7 +13,7 @@ from param_tutorial.exercises import CHAPTERS, EXERCISES, PREDICTIONS, RECALLS
 from param_tutorial.exercises.chapters import ch04, ch05_1, ch06_2, ch07_3
 from param_tutorial.exercises.prediction import MIME_TYPE
 from tests.support.answers import blank, notebook
-from tests.support.paths import NOTEBOOKS, PACKAGE
+from tests.support.paths import NOTEBOOKS
 
 
 @functools.cache
@@ -28,13 +28,6 @@ def headings(chapter):
 
 def of_each_chapter(test):
     return pytest.mark.parametrize('chapter', CHAPTERS.values(), ids=lambda each: each.number)(test)
-
-
-def test_each_chapter_has_its_exercises_and_its_questions_in_modules_of_one_name():
-    exercises_of, questions_of = ([each.name for each in sorted((PACKAGE / 'exercises' / folder).glob('ch*.py'))]
-                                  for folder in ('chapters', 'questions'))
-    assert exercises_of == questions_of
-    assert [each.name.partition('_')[0] for each in CHAPTERS.values()] == [name[2:4] for name in exercises_of]
 
 
 @of_each_chapter
