@@ -18,7 +18,6 @@ from param_tutorial.exercises import EXERCISES, trial
 from param_tutorial.exercises.chapters import ch05_1, ch05_3, ch11
 from param_tutorial.exercises.results import Finding, Result
 from param_tutorial.learner.progress import FILE, VARIABLE, own_progress
-from tests.exercises.wrong_answers import ch10_2
 from tests.support.answers import answer, blank, cell, not_yet, solution
 
 
@@ -222,23 +221,6 @@ def test_the_learners_client_is_called_as_they_know_it(ros):
     assert "'ParameterClient' object has no attribute 'set_all'" in result.findings[0].happened
     unusual = [("ParameterClient('/wheel_controller')", "ParameterClient('/wheel_controller', timeout_sec=2.0)")]
     assert exercises.check('10.3a', solution('10.3a', *unusual)).done
-
-
-@pytest.mark.rare
-@pytest.mark.parametrize(('number', 'replacements', 'word'), [
-    ('5.3b', [('self.on_answer)', 'lambda future: None)')], "it is `''`"),
-    ('5.3a', [('future.add_done_callback(', '(')], '`results` is empty'),
-    ('10.2b', [('ListParameters.Request()', 'ListParameters.Request(depth=1)')], 'it is `{'),
-    ('10.2b', [(ch10_2.IN_TIME, ch10_2.READ),
-               ('values = (await self.get_client.call_async(GetParameters.Request(names=[name]))).values',
-                'future = self.get_client.call_async(GetParameters.Request(names=[name]))'),
-               ('            if values:\n                self.found[name] = parameter_value_to_python(values[0])',
-                '        values = (await future).values')], 'it is `{'),
-    ('11c', [('self.add_post_set_parameters_callback(self.react)', 'pass')], 'it is `14.0`')])
-def test_a_check_does_not_use_up_its_time_for_what_can_no_longer_come(ros, number, replacements, word):
-    happened = ' '.join(not_yet(exercises.check(number, solution(number, *replacements))).values())
-    assert word in happened
-    assert 'after' not in happened  # as in "it is 14.0, after 5 s"
 
 
 class Supervisor(Node):

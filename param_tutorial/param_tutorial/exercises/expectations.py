@@ -73,17 +73,12 @@ def _facts(parameter_type: ParameterType, value: object) -> str:
     return f'type {parameter_type.label}, ' + ('no value' if value is None else f'value `{value!r}`')
 
 
-def expect_answer(trial: Trial, name: str, value: object, kind: str, because: str = '') -> None:
-    """Expect the node's answer to a value to be of a kind.
+def expect_result(client: ParameterClient, name: str, value: object, kind: str, because: str = '') -> None:
+    """Expect a node's answer to a value to be of a kind.
 
     :param kind: As in SetResult.kind.
     :param because: What to think of when it accepts what it should not.
     """
-    expect_result(client_for(trial, name), name, value, kind, because)
-
-
-def expect_result(client: ParameterClient, name: str, value: object, kind: str, because: str = '') -> None:
-    """Expect the answer of a node that is there already; as above."""
     result = client.set_parameter(name, value)
     expect(result.kind == kind, f'`{name} = {value!r}` is {"" if kind == "accepted" else "rejected: "}{kind}',
            f'{result}' + (f'. {because}' if because and result.successful else ''))
@@ -168,23 +163,6 @@ class WithSecondJudge(Node):
         return SetParametersResult(successful=not self.rejects, reason='a second judge rejects')
 
 
-class WithoutDeadlock(Node):
-    """A mixin: clients raise an exception instead of blocking in a callback, also with a time limit."""
-
-    def create_client(self, *args: Any, **options: Any) -> Client:
-        client = super().create_client(*args, **options)
-        call = client.call
-
-        def call_elsewhere(*args: Any, **options: Any) -> Any:
-            if stage.current().in_thread():
-                raise RuntimeError('call() blocks until the answer has come, which only the executor can bring, and '
-                                   'this callback keeps it busy. Use call_async()')
-            return call(*args, **options)
-
-        client.call = call_elsewhere  # type: ignore[method-assign]  # for this one client
-        return client
-
-
 class Question(NamedTuple):
     """A request that a node has sent."""
 
@@ -193,7 +171,7 @@ class Question(NamedTuple):
 
 
 class NotesQuestions(Node):
-    """A mixin: keeps the requests that the clients of a node send, so that one can tell when it has done its work."""
+    """A mixin: notes the requests that the clients of a node send, and raises an exception where one would deadlock."""
 
     questions_noted: tuple[Question, ...] = ()
     most_open: tuple[int, int] = (0, 0)
@@ -201,7 +179,7 @@ class NotesQuestions(Node):
 
     def create_client(self, *args: Any, **options: Any) -> Client:
         client = super().create_client(*args, **options)
-        call_async = client.call_async  # call() goes through it, too
+        call, call_async = client.call, client.call_async  # the first goes through the second
 
         def note(request: Any) -> Future:
             answer = call_async(request)
@@ -210,33 +188,19 @@ class NotesQuestions(Node):
             self.most_open = max(self.most_open, (count, client.qos_profile.depth))
             return answer
 
-        client.call_async = note  # type: ignore[method-assign]  # for this one client
+        def call_elsewhere(*args: Any, **options: Any) -> Any:
+            if stage.current().in_thread():
+                raise RuntimeError('call() blocks until the answer has come, which only the executor can bring, and '
+                                   'this callback keeps it busy. Use call_async()')
+            return call(*args, **options)
+
+        # For this one client.
+        client.call, client.call_async = call_elsewhere, note  # type: ignore[method-assign]
         return client
 
     def count_unanswered(self) -> int:
         """Return how many questions have no answer, whether or not one will come."""
         return sum(not each.answer.done() for each in self.questions_noted)
-
-    def expects_answer(self) -> bool:
-        """True if an answer may still come: a client hears its answers in order, so what it has skipped is lost."""
-        last_of_each = {each.client: each.answer for each in self.questions_noted}
-        return not all(answer.done() for answer in last_of_each.values())
-
-
-def asks_no_more(trial: Trial, node: NotesQuestions) -> bool:
-    """True if a node does not go on asking because of what it has heard."""
-    count = len(node.questions_noted)
-    # The executor has set the last future when the first is over, has called what waited for it after the second, and
-    # has gone on with what awaited it after the third.
-    for _ in range(3):
-        trial.ros.run(lambda: None, 'let the executor come round')
-    return len(node.questions_noted) == count
-
-
-def is_settled(trial: Trial, node: NotesQuestions) -> bool:
-    """True if nothing is on its way to a node any more: no answer, no message and no timer."""
-    return (not node.expects_answer() and not any(node.subscriptions)
-            and all(timer.is_canceled() for timer in node.timers) and asks_no_more(trial, node))
 
 
 def start_asking(trial: Trial) -> Any:
@@ -246,7 +210,7 @@ def start_asking(trial: Trial) -> Any:
     :raises NoUse: it creates no client, or one for a service that there is not.
     """
     try:
-        node: Any = trial.start(derive(NotesQuestions, derive(WithoutDeadlock, trial.work)))
+        node: Any = trial.start(derive(NotesQuestions, trial.work))
     except NoStart as error:
         if match := re.search(r'request topic name rq/(\S+)Request with incompatible type', error.happened):
             raise NoUse('the client finds its service',
@@ -364,16 +328,6 @@ def expect_override(trial: Trial, name: str, word: str, value: object) -> None:
     found = trial.client(trial.start(ros_args=['-p', f'{name}:={word}'])).get_parameter(name)
     expect(values.same(found, value), f'`{name}` is `{value!r}` after a start with `-p {name}:="{word}"`',
            f'it is `{found!r}`')
-
-
-def expect_no_override(trial: Trial, name: str, word: str) -> None:
-    """Expect the learner's node not to start with a value of another type; as above."""
-    try:
-        trial.start(ros_args=['-p', f'{name}:={word}'])
-    except NoStart:
-        return
-    raise NotYet(f'no start with `-p {name}:="{word}"`, which has another type',
-                 'the node started with it: the type may change')
 
 
 def expect_no_gap(shown: str = '', names: Sequence[str] = ()) -> None:

@@ -5,7 +5,6 @@ import io
 import linecache
 import re
 import tempfile
-import threading
 import time
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -45,8 +44,6 @@ CORNER = '/_check'
 TIME_LIMIT_SEC = 5.0
 # How long a reaction may take after another one did not come: a check should not take minutes to say so.
 _SHORT_TIME_LIMIT_SEC = 1.0
-# How long a reaction may take when nothing is on its way any more that could bring it.
-_SETTLED_SEC = 0.5
 # When a check as a whole should have come to its end. What comes close to it gets less and less,
 # though never less than the short limit: a callback that sleeps is asked a dozen times.
 _WHOLE_CHECK_SEC = 12.0
@@ -139,8 +136,7 @@ class Trial:
         self.begin()
 
     def begin(self) -> None:
-        """Note which threads and failures there are before a requirement is tried out."""
-        self._threads_before = threading.enumerate()
+        """Note which failures there are before a requirement is tried out."""
         self._times_shown_before = {id(failure): failure.times_shown for failure in list(self.ros.failures)}
 
     @overload
@@ -278,27 +274,15 @@ class Trial:
             raise NoUse(f'{what} does not wait', 'it was still running after some seconds, and kept the executor '
                         'busy that would have to bring what it waits for') from None
 
-    def wait(self, condition: Callable[[], Any], expected: str, happened: Callable[[], str],
-             is_settled: Callable[[], bool] = lambda: False) -> None:
-        """Wait until a condition is true, a callback raises an exception, or waiting is of no use any more.
+    def wait(self, condition: Callable[[], Any], expected: str, happened: Callable[[], str]) -> None:
+        """Wait until a condition is true, or a callback raises an exception.
 
         :param happened: Returns what is the case instead.
-        :param is_settled: Returns whether nothing is on its way that could make the condition true.
         :raises NotYet: the condition is not true.
         """
         limit_sec = min(TIME_LIMIT_SEC, _SHORT_TIME_LIMIT_SEC) if self._has_waited_in_vain else TIME_LIMIT_SEC
-        settled_at: float | None = None
-
-        def has_settled() -> bool:
-            nonlocal settled_at
-            if not is_settled() or any(each not in self._threads_before for each in threading.enumerate()):
-                settled_at = None
-                return False
-            settled_at = time.monotonic() if settled_at is None else settled_at
-            return time.monotonic() - settled_at > _SETTLED_SEC
-
         try:
-            wait_until(lambda: condition() or self._failure() or has_settled(), expected, limit_sec)
+            wait_until(lambda: condition() or self._failure(), expected, limit_sec)
         except WaitTimeoutError:
             self._has_waited_in_vain = True
             raise NotYet(expected, f'{happened()}, after {limit_sec:g} s') from None

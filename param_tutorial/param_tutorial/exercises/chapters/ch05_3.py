@@ -22,7 +22,6 @@ from param_tutorial.exercises.expectations import (
     NotesQuestions,
     expect_accepted,
     expect_start_value,
-    is_settled,
     run_lines,
     start_asking,
     take_type_for_granted,
@@ -133,8 +132,7 @@ def both(trial: Trial) -> None:
     try:
         trial.wait(lambda: client.get_parameters(NEW) == NEW, 'the rover holds 40 rpm and 0.2 m/s²',
                    lambda: f'it holds {" and ".join(map(str, client.get_parameters(NEW).values()))}' + (
-                       f', and `self.rejection` is `{supervisor.rejection!r}`' if supervisor.rejection else ''),
-                   lambda: is_settled(trial, supervisor))
+                       f', and `self.rejection` is `{supervisor.rejection!r}`' if supervisor.rejection else ''))
     except NotYet as error:  # what rovers reject can tell nothing about other values
         raise NoUse(error.expected, trial.raised() or error.happened) from None
     others = ' and '.join(f'`{name}`' for name in sorted(rover.asked - set(NEW)))
@@ -150,12 +148,12 @@ def reason(trial: Trial) -> None:
 def expect_reason(trial: Trial, rover_class: type[Rover]) -> None:
     """Expect the supervisor to know why a rover rejects, and nothing if it doesn't."""
     rover, supervisor = slow_down(trial, rover_class)
-    trial.wait(lambda: rover.asked, 'the rover is asked', lambda: 'it is not', lambda: is_settled(trial, supervisor))
+    trial.wait(lambda: rover.asked, 'the rover is asked', lambda: 'it is not')
     for _ in range(3):
         trial.ros.run(lambda: None, 'let the answer through')
     if rover.rejected:
         trial.wait(lambda: supervisor.rejection == rover.words, f'`self.rejection` is `{rover.words!r}`',
-                   lambda: f'it is `{supervisor.rejection!r}`', lambda: is_settled(trial, supervisor))
+                   lambda: f'it is `{supervisor.rejection!r}`')
     else:
         expect(not supervisor.rejection, '`self.rejection` stays empty when the rover accepts',
                f'it is `{supervisor.rejection!r}`')
@@ -173,8 +171,7 @@ def expect_kept(trial: Trial, rover_class: type[Rover], name: str) -> None:
     """Expect a parameter to stay as it is in a rover that rejects the other one."""
     rover, supervisor = slow_down(trial, rover_class)
     trial.wait(lambda: rover.asked >= set(NEW), 'the rover is asked for both values',
-               lambda: f'it was asked for {" and ".join(f"`{each}`" for each in sorted(rover.asked)) or "nothing"}',
-               lambda: is_settled(trial, supervisor))
+               lambda: f'it was asked for {" and ".join(f"`{each}`" for each in sorted(rover.asked)) or "nothing"}')
     trial.ros.run(lambda: None, 'let the rover finish')
     expect(not rover.has_stored, f'a rover that rejects the other value keeps `{name} = {OLD[name]}`',
            'it stored the new one. `set_parameters` decides about each parameter separately')
@@ -279,8 +276,8 @@ class Asking(NotesQuestions):
         return client
 
 
-def ordered(trial: Trial) -> tuple[Rover, Asking, list[Any]]:
-    """Run the learner's lines beside a rover, and return it with the node that asks and the results that have arrived.
+def ordered(trial: Trial) -> tuple[Rover, list[Any]]:
+    """Run the learner's lines beside a rover, and return it with the results that have arrived.
 
     :raises NoUse: the lines do not run to their end, find no rover, or ask it more than once.
     """
@@ -292,24 +289,24 @@ def ordered(trial: Trial) -> tuple[Rover, Asking, list[Any]]:
         raise NoUse('the client finds its service', f'there is no service `{node.not_found}` of that type')
     if (count := len(node.questions_noted)) > 1:
         raise NoUse('the rover is asked once', f'it is asked {count} times. Is a line there twice?')
-    return rover, node, results
+    return rover, results
 
 
 @order.require('the lines run to their end, and the rover gets 50 rpm', see=HOW)
 def arrives(trial: Trial) -> None:
-    rover, node, _ = ordered(trial)
+    rover, _ = ordered(trial)
     client = trial.client(rover)
     try:
         trial.wait(lambda: client.get_parameter('max_speed_rpm') == 50, 'the rover holds 50 rpm',
-                   lambda: f'it holds {client.get_parameter("max_speed_rpm")!r}', lambda: is_settled(trial, node))
+                   lambda: f'it holds {client.get_parameter("max_speed_rpm")!r}')
     except NotYet as error:  # without the right request there is no right answer
         raise NoUse(error.expected, trial.raised() or error.happened) from None
 
 
 @order.require('the answer of the rover is added to `results`', see=HOW)
 def is_answered(trial: Trial) -> None:
-    rover, node, results = ordered(trial)
-    trial.wait(lambda: results, 'one result', lambda: '`results` is empty', lambda: is_settled(trial, node))
+    rover, results = ordered(trial)
+    trial.wait(lambda: results, 'one result', lambda: '`results` is empty')
     expect(rover.has_stored and len(results) == 1 and getattr(results[0], 'successful', False),
            'one result, which is successful', f'`results` is `{results!r}`')
 

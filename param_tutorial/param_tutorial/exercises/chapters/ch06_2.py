@@ -16,10 +16,9 @@ from param_tutorial.exercises.expectations import (
     derive,
     expect_answers,
     expect_declared,
-    expect_no_override,
     expect_override,
 )
-from param_tutorial.exercises.trial import Trial, expect
+from param_tutorial.exercises.trial import NoStart, NotYet, Trial, expect
 
 CHAPTER = '06_2_locks_types_and_order'
 LOCK = 'Change it: the lock'
@@ -121,6 +120,16 @@ def defaults(trial: Trial, name: str) -> list[list[object]]:
     """
     node = trial.start(derive(NotesDefaults, trial.work))
     return [each for each in node.defaults.get(name, []) if isinstance(each, list) and each]
+
+
+def expect_no_override(trial: Trial, name: str, word: str) -> None:
+    """Expect the learner's node not to start with a value of another type."""
+    try:
+        trial.start(ros_args=['-p', f'{name}:={word}'])
+    except NoStart:
+        return
+    raise NotYet(f'no start with `-p {name}:="{word}"`, which has another type',
+                 'the node started with it: the type may change')
 
 
 @mend.require('`serial` is `H-01` and read-only, and a start with `-p serial:=H-07` gives another', see=LOCK)
