@@ -173,13 +173,6 @@ def test_a_chapter_that_is_not_there_is_an_error_that_names_those_that_are(cours
     assert capsys.readouterr().err == f'There is no chapter {chapter!r}. {there}\n'
 
 
-def test_make_reset_says_which_chapter_it_wants():
-    done = subprocess.run(['make', '--no-print-directory', '-o', 'setup', 'reset'], cwd=ROOT, capture_output=True,
-                          text=True)
-    assert done.returncode != 0
-    assert done.stderr.splitlines()[0] == 'Which one? make reset CHAPTER=08'
-
-
 @pytest.mark.parametrize('written', [0, 1])  # 1 is the backup
 def test_what_the_system_rejects_is_one_sentence_and_changes_no_copy(copies, monkeypatch, written):
     mine = edit(copies.folder / FIRST, 1, 'speed = 1')
