@@ -142,7 +142,7 @@ def test_an_exception_in_a_callback_is_named(ros):
 def test_a_callback_that_never_returns_is_interrupted(ros, monkeypatch):
     monkeypatch.setattr(trial, 'TIME_LIMIT_SEC', 0.5)
     result = exercises.check('5.2a', NeverReturns)
-    assert 'did not answer' in result.findings[0].happened
+    assert 'did not return. Does a callback wait, or loop forever?' in result.findings[0].happened
     assert [finding.word for finding in result.findings] == ['not yet', *['not tried'] * 5]
     assert not ros.nodes
     monkeypatch.undo()

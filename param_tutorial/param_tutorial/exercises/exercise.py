@@ -12,6 +12,7 @@ from param_tools.ros import no_input
 from param_tutorial.exercises.results import Answer, Finding, Hint, Result
 from param_tutorial.exercises.trial import (
     CORNER,
+    STUCK,
     NotTried,
     NotYet,
     NoUse,
@@ -197,7 +198,13 @@ def _try_out(requirement: Requirement, trial: Trial) -> Finding:
     trial.begin()
     try:
         with cleared(trial.ros):
-            _examine(requirement, trial)
+            try:
+                requirement.examine(trial)
+            except NotYet as error:
+                if isinstance(error, NoUse) or not (raised := trial.raised()):
+                    raise
+                # That explains more than what came of it, and the other requirements would raise it, too.
+                raise NoUse(error.expected, raised) from None
     except NoUse:
         raise
     except NotTried:
@@ -205,29 +212,12 @@ def _try_out(requirement: Requirement, trial: Trial) -> Finding:
     except NotYet as error:
         return _finding(requirement, error)
     except NoAnswerError as error:
-        happened = trial.raised_by_itself() or f'{error}. Does a callback wait, or loop forever?'
-        raise NoUse('an answer', happened) from None
+        raise NoUse('an answer', trial.raised() or f'{error}. {STUCK}') from None
     except ExecutorError:
         raise
     except (Exception, SystemExit) as error:  # whatever a learner's object may do when it is looked at
         return _finding(requirement, NotYet('', describe_error(error)))
     return Finding(requirement.sentence, True)
-
-
-def _examine(requirement: Requirement, trial: Trial) -> None:
-    """Examine one requirement. If a callback raised an exception, that explains more than what came of it.
-
-    :raises NotYet: the requirement is not met.
-    :raises NoUse: it is not met, and a callback raised an exception, as it would at the other requirements.
-    """
-    try:
-        requirement.examine(trial)
-    except NoUse:
-        raise
-    except NotYet as error:
-        if raised := trial.raised():
-            raise NoUse(error.expected, raised) from None
-        raise
 
 
 def _finding(requirement: Requirement, error: NotYet) -> Finding:

@@ -20,7 +20,7 @@ from param_tools.errors import NodeError, WaitTimeoutError
 from param_tools.ros.service_types import SERVICE_TYPES
 from param_tools.ros.waiting import wait, wait_until
 from param_tutorial.exercises.exercise import Exercise, Kind
-from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.trial import CORNER, STUCK, NotYet, NoUse, Trial, expect
 from param_tutorial.notebook.terminal import Terminal
 
 PROGRAM = Kind('the name of the file that the cell above writes, in quotes',
@@ -110,7 +110,7 @@ def running(trial: Trial, exercise: Exercise, words: str = '', start: Start = st
         # What ended the program explains more than what came of it.
         if wait(lambda: not terminal.is_running, LATER_SEC):
             raise NoUse('a program that goes on', describe_end(terminal, file)) from None
-        remark = 'Does a callback wait, or loop forever?' if _spins(_parsed(file)) else 'Nothing spins it'
+        remark = STUCK if _spins(_parsed(file)) else 'Nothing spins it'
         raise NoUse('an answer', f'{error}. {remark}'.replace(namespace, '')) from None
     except NotYet as error:
         raised = '' if terminal.is_running else describe_exception(terminal.text, file)

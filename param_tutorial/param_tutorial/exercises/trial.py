@@ -48,6 +48,8 @@ _SHORT_TIME_LIMIT_SEC = 1.0
 # though never less than the short limit: a callback that sleeps is asked a dozen times.
 _WHOLE_CHECK_SEC = 12.0
 
+# What to think of when no answer comes.
+STUCK = 'Does a callback wait, or loop forever?'
 # What rclpy raises for a parameter file, with rcl's own words in it.
 _NOT_A_PARAMETER_FILE = re.compile(r"Couldn't parse params file: .*? Error: (.*?), at \S+:\d+", re.DOTALL)
 # The beginning of a node's name, or of a pattern. What begins with /** reaches the corner as it is, and /** itself must
@@ -297,13 +299,10 @@ class Trial:
         if self.ros.is_running:
             self.ros.run(lambda: None, 'see the callbacks through')
         failure = self._failure()
-        return '' if failure is None else f'{failure}{_describe_raised(failure.error)}'
-
-    def raised_by_itself(self) -> str:
-        """Return the same without waiting, and nothing for a callback that was interrupted."""
-        failure = self._failure()
-        if failure is None or not isinstance(failure.error, (Exception, SystemExit)):
+        if failure is None:
             return ''
+        if not isinstance(failure.error, (Exception, SystemExit)):  # the executor has interrupted it
+            return f'{failure} did not return. {STUCK}'
         return f'{failure}{_describe_raised(failure.error)}'
 
     def _failure(self) -> Failure | None:

@@ -84,7 +84,7 @@ WRONG = {
         ([('        if event.node', "        __import__('rclpy').spin_once(self)\n        if event.node")], 0,
          'already runs inside the executor'),
         ([('        if event.node', '        while True:\n            pass\n        if event.node')],
-         0, 'this callback did not return'),
+         0, 'did not return'),
         ([('        if event.node', '        from time import sleep\n        sleep(4.0)\n        if event.node')], 0,
          'it waits, and keeps the executor busy meanwhile'),
     ],

@@ -56,7 +56,7 @@ WRONG = {
         ([('proposed.get', 'proposed.gett')], 1, "no attribute 'gett'"),
         ([('return SetParametersResult(successful=not reason, reason=reason)', 'return not reason')], 0,
          'has to return a `SetParametersResult`'),
-        ([('        proposed = {', '        while True: pass\n        proposed = {')], 0, 'did not answer'),
+        ([('        proposed = {', '        while True: pass\n        proposed = {')], 0, 'did not return'),
     ],
     '11c': [
         ([('        self.react([])\n', '')], 2, 'it is `None`'),
