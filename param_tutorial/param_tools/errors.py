@@ -23,7 +23,6 @@ A rejected value is not an exception by itself: it is a result with a reason (se
 becomes a ParameterRejectedError on request.
 """
 
-import copyreg
 import difflib
 from collections.abc import Sequence
 from typing import Any, Protocol
@@ -31,11 +30,6 @@ from typing import Any, Protocol
 
 class ParameterToolError(Exception):
     """Base of everything below: ``except ParameterToolError`` catches whatever these tools raise."""
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Let errors be copied and pickled, as those in a snapshot are: by default, Python would pass the finished
-        message to ``__init__``, which takes what the message is made of."""
-        return copyreg.__newobj__, (type(self),), {**self.__dict__, 'args': self.args}  # type: ignore[attr-defined]
 
 
 class ExecutorError(ParameterToolError):

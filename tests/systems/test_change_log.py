@@ -11,7 +11,7 @@ from hypothesis import given
 from rclpy.task import Future
 
 from param_tools import all_parameters, values
-from param_tools.errors import InvalidValueError, ParameterFileError
+from param_tools.errors import InvalidValueError
 from param_tools.node.client import Questions
 from param_tools.systems import change_log
 from param_tools.systems.change_log import ChangeFollower, ChangeLog, ChangeLogWriter, LoggedChange
@@ -43,12 +43,6 @@ def test_what_is_written_is_read_back_also_after_a_torn_line(tmp_path, changes):
     assert all(map(same, again.records[1:], changes))
 
 
-@pytest.mark.parametrize('content', ['hello', '{}\n[]\n', '\xff', '[' * 5000])
-def test_another_file_is_no_log(write, content):
-    with pytest.raises(ParameterFileError, match='this is no log of parameter changes'):
-        ChangeLog.read(write(content, 'changes.jsonl'))
-
-
 def logged(kind, minute, name='x', old=None, new=None, node='/a'):
     return LoggedChange(START + datetime.timedelta(minutes=minute), kind, node, name, old, new)
 
@@ -68,14 +62,6 @@ LOG = ChangeLog([
     (21, {'/a': {'x': 7}})])
 def test_the_state_at_any_time(minute, state):
     assert LOG.at(START + datetime.timedelta(minutes=minute)) == state
-
-
-def test_a_state_knows_its_time_and_a_time_without_zone_is_a_local_one():
-    local = (START + datetime.timedelta(minutes=5)).astimezone().replace(tzinfo=None)
-    state = LOG.at(local)
-    assert state == {'/a': {'x': 2}, '/b': {'y': 'a'}}
-    assert f'2 nodes, {local.astimezone().isoformat(timespec="seconds")}' in state.dump().text
-    assert LOG.at().taken == LOG.records[-1].time
 
 
 @pytest.mark.parametrize('text', ['', 'soon', '25:00', '2026-13-01', '9' * 30, '14:05Z+'])

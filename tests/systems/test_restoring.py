@@ -8,8 +8,6 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from param_tools import ParameterSet, Rules, all_parameters, compare, restore, values
-from param_tools.errors import NoAnswerError, NodeGoneError, NodeNotFoundError
-from param_tools.systems.restoring import Outcome, Restored
 from param_tutorial import ParameterClient
 from tests.support.nodes import Arm
 from tests.support.strategies import VALUES
@@ -37,22 +35,6 @@ def client(ros):
     return ParameterClient(ros.add(Robot))
 
 
-def test_restore_sets_what_differs_in_one_request(client):
-    then = ParameterSet.of(client, 'then')
-    client.set_parameters_atomically({'low_c': 30, 'high_c': 40, 'numbers': [], 'any': 2.5})
-    restored = restore(client, then)
-    assert restored.complete
-    assert repr(restored) == '''/robot from then: complete, 4 parameters set
-
-parameter  wanted  outcome  reason
-low_c      18      set
-high_c     22      set
-numbers    [1, 2]  set
-any        'free'  set'''
-    assert not compare(then, client)
-    assert repr(restore(client, then)) == '/robot from then: nothing to do, all values are there'
-
-
 def test_what_no_request_can_change_is_reported_and_the_rest_is_set(client):
     client.set_parameter('unset', 1.5)
     restored = restore(client, {'serial': 'S2', 'speed': 1.0, 'unset': None, 'nowhere': 1, 'low_c': 19, 'numbers': []})
@@ -64,16 +46,6 @@ def test_what_no_request_can_change_is_reported_and_the_rest_is_set(client):
     assert repr(restored).startswith('/robot from given values: NOT COMPLETE, 2 of 6 parameters set\n')
     assert client.get_parameters(['serial', 'speed', 'unset', 'low_c', 'numbers']) == {
         'serial': 'S1', 'speed': 100, 'unset': 1.5, 'low_c': 19, 'numbers': []}
-
-
-def test_one_rejection_leaves_everything_as_it_was(client):
-    before = ParameterSet.of(client)
-    restored = restore(client, {'speed': 301, 'low_c': 19})
-    assert not compare(before, client)
-    assert [(each.name, each.word) for each in restored] == [('speed', 'left'), ('low_c', 'left')]
-    assert all('the node rejected them together: Parameter speed out of range' in each.reason for each in restored)
-    assert repr(restored).startswith('/robot from given values: NOT RESTORED, nothing was changed\n')
-    assert restore(client, {'speed': 301})['speed'].word == 'rejected'
 
 
 def test_one_by_one_sets_what_it_can_in_whatever_order_it_takes(client):
@@ -129,18 +101,3 @@ def test_a_rehearsal_says_what_restoring_would_do_and_does_nothing(ros):
     assert repr(expected).startswith('/arm from given values: 1 of 6 parameters would be set\n')
     assert not expected.complete
     assert all_parameters() == before
-
-
-def test_what_became_of_many_nodes_is_one_table():
-    unanswered = {'/left': NodeGoneError('/left', 'set_parameters'), '/right': NodeNotFoundError('/right', []),
-                  '/lift': NoAnswerError('/lift', 'set_parameters', 1)}
-    done = (Outcome('a', 1, 'set'), Outcome('b', 2, 'rejected', 'too\nlarge'))
-    assert repr(Restored('monday.yaml', {'/arm': done}, unanswered)) == '''\
-4 nodes from monday.yaml: NOT COMPLETE, 1 of 2 parameters set, 3 without an answer
-
-node    parameter  wanted  outcome    reason
-/arm    a          1       set
-/arm    b          2       rejected   too large
-/left                      gone
-/right                     not there
-/lift                      no answer'''
