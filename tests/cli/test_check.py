@@ -6,7 +6,6 @@ import sys
 from pathlib import Path
 
 import pytest
-import yaml
 
 from param_tools.files import descriptions
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
@@ -37,15 +36,6 @@ def test_what_a_running_node_declares_is_saved_and_checked_against(ros, write, t
     assert run('check', write(BAD), '--against', saved)[2] == 1
 
 
-def test_github_annotations_and_the_order_of_files(ros, write):
-    first, second = write('/n: {ros__parameters: {a: 1}}\n', 'first.yaml'), write(
-        '/**: {ros__parameters: {a: 2}}\n', 'second.yaml')
-    stdout, _, status = run('check', first, second, '--format', 'github')
-    assert stdout.startswith(f'::warning file={first},line=1,col=27,title=overridden::')
-    assert status == 1
-    assert run('check', second, first) == ('', '', 0)
-
-
 @pytest.mark.parametrize(('words', 'complaint'), [
     (['nowhere.yaml'], 'cannot read nowhere.yaml: No such file'),
     (['FILE', '--against', '/nobody'], 'there is no node /nobody'),
@@ -59,22 +49,6 @@ def test_what_cannot_be_checked_has_a_status_of_its_own(ros, write, words, compl
     assert (stdout, status) == ('', 2)
     assert complaint in stderr
     assert 'Traceback' not in stderr
-
-
-@pytest.mark.slow
-def test_a_node_that_hangs_is_named_and_the_others_are_described(ros, silent):
-    ros.add(SimpleParamNode)
-    stdout, stderr, status = run('describe', '/**', '--timeout', '0.5')
-    assert list(yaml.safe_load(stdout)['nodes']) == ['/simple_param_node']
-    assert stderr.startswith('/silent did not answer')
-    assert status == 1
-
-
-def test_where_nothing_can_be_saved_the_command_says_so(ros, tmp_path):
-    ros.add(SimpleParamNode)
-    _, stderr, status = run('describe', '/simple_param_node', '--save', tmp_path / 'no/such/folder/x.yaml')
-    assert 'cannot write' in stderr
-    assert status == 1
 
 
 def test_a_terminal_that_knows_only_ascii_gets_every_line(write):

@@ -3,7 +3,6 @@
 import itertools
 import os
 import re
-import subprocess
 import sys
 from pathlib import Path
 from typing import List  # noqa: UP035  # as launch files write it
@@ -22,19 +21,12 @@ from param_tools.cli.launch.ros_actions import Node, SetParameter
 from param_tools.cli.launch.substitutions import LaunchConfiguration
 from param_tools.cli.run import node_programs
 from param_tools.ros.waiting import to_end
-from param_tutorial import ParameterClient, Terminal
 from tests.support.commands import run, source_package
-from tests.support.paths import ROS_PACKAGE
 
-FILES = sorted((ROS_PACKAGE / 'launch').glob('*.py'))
 HEAD = '''
-from ament_index_python.packages import get_package_share_directory
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument
-from launch.substitutions import LaunchConfiguration, PathJoinSubstitution, TextSubstitution
-from launch_ros.actions import Node, SetParameter
-from launch_ros.parameter_descriptions import ParameterValue
-from launch_ros.substitutions import FindPackageShare
+from launch_ros.actions import Node
 
 
 def generate_launch_description():
@@ -53,7 +45,7 @@ def launch_file(write):
 
 @pytest.fixture
 def context(tmp_path):
-    context = Context({'speed': '60', 'name': '42', 'gains': '[1.0, 2.0]'}, tmp_path)
+    context = Context({'speed': '60'}, tmp_path)
     context.warnings = []
     context.log = lambda _level, _name, text: context.warnings.append(text)
     return context
@@ -212,34 +204,12 @@ def test_with_set_parameter_a_file_for_the_node_beats_the_dictionary_after_it(co
 # -- values, as measured with the genuine one (launch 3.4.3, launch_ros 0.26.6) ---------------------------------------
 
 
-def test_values_are_what_launch_ros_makes_of_them(context, launch_file):
-    path = launch_file("""
-        Node(package='p', executable='e', parameters=[{
-            'text': '42', 'flag': True, 'mixed': [1, 2.5], 'inner': {'kp': 1.5},
-            'speed': LaunchConfiguration('speed'), 'gains': LaunchConfiguration('gains'),
-            'joined': [LaunchConfiguration('speed'), '0'],
-            'name': ParameterValue(LaunchConfiguration('name'), value_type=str),
-            'wide': ParameterValue(LaunchConfiguration('speed'), value_type=float),
-            'missing': LaunchConfiguration('missing', default='off')}])""")
-    (node,) = load_description(path).entities
-    _, files = arguments(node, context)
-    assert files[0]['/**']['ros__parameters'] == {
-        'text': '42', 'flag': True, 'mixed': [1.0, 2.5], 'inner.kp': 1.5, 'speed': 60, 'gains': [1.0, 2.0],
-        'joined': 600, 'name': '42', 'wide': 60.0, 'missing': False}
-
-
 @pytest.mark.parametrize('text', ['null', '2026-02-31', '[1, a]', '[]', 'a: b: c'])
 def test_a_string_that_yaml_makes_no_parameter_of_is_an_error_that_says_how_to_keep_it(context, text):
     context.launch_configurations['n'] = text
     with pytest.raises(LaunchFailed, match=r'^n: .* read as YAML\. .*value_type=str\) keeps it one'):
         values_of({'n': given('n')}, context)
     assert values_of({'n': ParameterValue(given('n'), value_type=str)}, context) == {'n': text}
-
-
-@pytest.mark.parametrize('value', [[], [1, 'a'], [None], b'x'])
-def test_what_cannot_be_a_parameter(context, value):
-    with pytest.raises(LaunchFailed, match=r'cannot be the value of a parameter|a string or a substitution belongs'):
-        values_of({'x': value}, context)
 
 
 @pytest.mark.parametrize(('text', 'value_type', 'value'), [
@@ -252,16 +222,6 @@ def test_a_parameter_value_turns_the_string_of_a_substitution_into_its_type(cont
     if value_type is not str:
         with pytest.raises(LaunchFailed, match=r"^'\[1, a\]' was given where the launch file takes a value of type"):
             parameter_value('x', ParameterValue(given('n'), value_type=value_type), context)
-
-
-def test_a_parameter_file_with_substitutions(context, write):
-    path = write("/**: {ros__parameters: {speed: $(var speed), name: '$(var name)', "
-                 "share: $(find-pkg-share param_tutorial)/config, price: 5$, escaped: \\$(var speed)}}")
-    _, files = arguments(robot(parameters=[ParameterFile(path, allow_substs=True)]), context)
-    found = files[0]['/**']['ros__parameters']
-    assert Path(found.pop('share'), 'clawbot_config.yaml').is_file()
-    assert found == {'speed': 60, 'name': '42', 'price': '5$', 'escaped': '$(var speed)'}
-    assert arguments(robot(parameters=[ParameterFile(path)]), context)[0] == ['--params-file', str(path)]
 
 
 @pytest.mark.parametrize(('text', 'why'), [
@@ -331,20 +291,6 @@ def test_a_launch_file_is_found_at_any_depth_and_must_be_the_only_one_of_its_nam
 
 
 @pytest.mark.slow
-def test_a_launch_file_of_the_course_starts_the_robot(ros):
-    terminal = Terminal('ros2 launch param_tutorial argument_param_launch.py robot_name:=42 max_speed_rpm:=60')
-    terminal.read(until='robot_serial_number')
-    expected = {'robot_name': '42', 'max_speed_rpm': 60, 'enable_safety_mode': True}
-    assert ParameterClient('/simple_param_node', timeout_sec=30).get_parameters(list(expected)) == expected
-    assert terminal.interrupt() == 0
-    lines = terminal.text.splitlines()
-    assert lines[:2] == ['[INFO] [launch]: Default logging verbosity is set to INFO',
-                         '[INFO] [simple_param_node-1]: process started']
-    assert lines[-2:] == ['[WARNING] [launch]: user interrupted with ctrl-c (SIGINT)',
-                          '[INFO] [simple_param_node-1]: process has finished cleanly']
-
-
-@pytest.mark.slow
 def test_a_program_that_ignores_signals_is_killed_in_the_end(write, monkeypatch, capfd):
     monkeypatch.setattr('param_tools.cli.launch.processes.GRACE_SEC', 0.2)
     script = write('trap "" INT TERM; kill -INT $PPID; while :; do sleep 0.1; done\n', 'stubborn')
@@ -367,16 +313,3 @@ def test_a_program_has_its_folder_and_its_environment_and_one_ends_the_others(tm
     assert f'[first-1] here in {tmp_path}\n' in shown
     was_required = '[INFO] [launch]: process[required-2] was required: shutting down launched system'
     assert shown.index(was_required) < shown.index('[ERROR] [first-1]: process has died')
-
-
-@pytest.mark.slow
-def test_a_program_that_dies_is_reported_and_ends_the_launch(launch_file):
-    path = launch_file("""        Node(package='param_tutorial', executable='simple_param_node', output='screen',
-             parameters=[{'max_speed_rpm': 'fast'}])""")
-    done = subprocess.run([sys.executable, '-m', 'param_tools', 'launch', str(path)], capture_output=True, text=True,
-                          env={**os.environ, 'ROS_DOMAIN_ID': '0', 'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST'})
-    assert done.returncode == 0  # as the genuine command: the launch itself did what it was told
-    pid = re.search(r'\[INFO\] \[simple_param_node-1\]: process started with pid \[(\d+)\]\n', done.stdout)[1]
-    assert f'[ERROR] [simple_param_node-1]: process has died [pid {pid}, exit code 1, cmd' in done.stdout
-    assert done.stderr == ''
-    assert "'max_speed_rpm' to 'fast' of type 'STRING', expecting type 'INTEGER'" in done.stdout

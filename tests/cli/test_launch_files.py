@@ -154,16 +154,6 @@ a string
     assert status == 1
 
 
-def test_check_launch_takes_arguments_and_formats(lab):
-    (lab / 'robot.yaml').write_text(ROBOT.replace('sped', 'speed'))
-    words = lab / 'lab_launch.py', 'speed:=5', '--against', lab / 'saved.yaml'
-    assert check(*words)[2] == 0
-    (lab / 'saved.yaml').write_text((lab / 'saved.yaml').read_text().replace('max_speed_rpm', 'other'))
-    found = check(*words, '--format', 'github')[0].replace(f'{lab}/', '').splitlines()
-    assert [line.partition(',title')[0] for line in found] == [
-        '::error file=robot.yaml,line=4,col=5', '::error file=lab_launch.py,line=23,col=1']
-
-
 def test_a_value_that_another_file_overrides_is_found_where_a_person_wrote_it(lab):
     (lab / 'robot.yaml').write_text('/lab/clawbot: {ros__parameters: {use_sim_time: false}}')
     path = lab / 'lab_launch.py'

@@ -69,19 +69,6 @@ def test_a_usage_error_says_what_is_wrong_and_starts_nothing(words, complaint):
     assert complaint in stderr
 
 
-@pytest.mark.parametrize('words', [[], ['--help'], ['param'], ['param', 'set', '-h']])
-def test_help_goes_to_standard_output(words):
-    stdout, stderr, status = run(*words, get_executor=lambda: pytest.fail('ROS was started'))
-    assert stdout.startswith('usage: ros2')
-    assert (stderr, status) == ('', 0)
-
-
-@pytest.mark.parametrize(('in_notebook', 'called'), [(False, 'python -m param_tools'), (True, '%ros2')])
-def test_the_help_of_a_command_of_our_own_shows_what_can_be_typed(in_notebook, called):
-    stdout, _, _ = run('check', '-h', in_notebook=in_notebook)
-    assert stdout.startswith(f'usage: {called} check ')
-
-
 @pytest.mark.parametrize(('words', 'complaint'), [
     (['param', 'list', '--filter', '(', '/simple_param_node'], "'(' is not a regular expression"),
     (['param', 'set', '/simple_param_node', 'max_speed_rpm', '9' * 20], 'does not fit into the 64 bits'),
@@ -97,43 +84,20 @@ def test_nonsense_gets_one_sentence(ros, words, complaint):
     assert stderr.count('\n') == 1
 
 
-@pytest.mark.parametrize('content', ['[1, 2', 'a', '/n: {ros__parameters: {a: 2024-01-01}}', b'\xff\xfe\x00'])
-def test_a_file_that_is_none_gets_a_sentence_and_no_traceback(ros, write, content):
-    ros.add(SimpleParamNode)
-    path = write(content, 'bad.yaml')
-    stdout, stderr, status = run('param', 'load', '/simple_param_node', path)
-    assert (stdout, status) == ('', 1)
-    assert stderr.startswith(f'{path} is not in UTF-8' if isinstance(content, bytes) else '')
-    assert stderr
-    assert 'Traceback' not in stderr
-
-
 # -- nodes of other kinds --------------------------------------------------------------------------------------
 
 
 class Odd(Node):
-    """A hidden node with a parameter that can go away, and one without a value."""
+    """Has a parameter that can go away, and one without a value."""
 
-    def __init__(self, name='_odd', namespace='/', **options):
-        super().__init__(name, namespace=namespace, **options)
+    def __init__(self, name='odd', **options):
+        super().__init__(name, **options)
         self.declare_parameter('anything', 1, ParameterDescriptor(dynamic_typing=True))
         self.declare_parameter('unset', None, ParameterDescriptor(dynamic_typing=True))
 
 
-def test_hidden_nodes_are_shown_on_request(ros):
-    ros.add(SimpleParamNode)
-    ros.add(Odd)
-    assert run('node', 'list') == ('/simple_param_node\n', '', 0)
-    assert run('node', 'list', '-c') == ('1\n', '', 0)
-    assert '/_odd\n' in run('node', 'list', '-a')[0]
-    assert run('param', 'get', '/_odd', 'anything') == ('', 'Node not found\n', 1)
-    assert run('param', 'get', '--include-hidden-nodes', '/_odd', 'anything') == ('Integer value is: 1\n', '', 0)
-    assert '/_odd' not in run('param', 'list')[0]
-    assert run('param', 'list', '--include-hidden-nodes')[0].startswith('/_odd:\n  anything\n')
-
-
 def test_delete_and_values_that_are_not_set(ros):
-    ros.add(Odd, 'odd')
+    ros.add(Odd)
     assert run('param', 'get', '/odd', 'unset') == ('Parameter not set.\n', '', 0)
     assert run('param', 'get', '--hide-type', '/odd', 'unset') == ('None\n', '', 0)
     assert run('param', 'delete', '/odd', 'anything') == ('Deleted parameter successfully\n', '', 0)
@@ -141,7 +105,7 @@ def test_delete_and_values_that_are_not_set(ros):
 
 
 def test_a_dump_survives_a_parameter_that_is_also_a_prefix(ros):
-    node = ros.add(Odd, 'odd')
+    node = ros.add(Odd)
     node.set_parameters([Parameter('unset', value=0)])
     for name in ('a', 'a.b', 'c.d', 'c.e'):
         node.declare_parameter(name, 1)
@@ -150,7 +114,7 @@ def test_a_dump_survives_a_parameter_that_is_also_a_prefix(ros):
 
 
 def test_a_node_without_parameter_services_is_named_as_the_genuine_command_does(ros, monkeypatch):
-    ros.add(Odd, 'odd')
+    ros.add(Odd)
     ros.add(Odd, 'mute', start_parameter_services=False)
     sentence = 'Wait for service timed out waiting for parameter services for node'
     listed = f"{sentence} NodeName(name='mute', namespace='/', full_name='/mute')\n"
@@ -164,15 +128,6 @@ def test_a_node_without_parameter_services_is_named_as_the_genuine_command_does(
     assert run('param', 'dump', '/mute') == ('', f'{sentence} /mute\n', 0)
 
 
-@pytest.mark.parametrize('option', [['--filter', 'any.*'], ['--param-prefixes', 'limits']])
-def test_a_list_of_all_nodes_names_only_those_with_something_left(ros, option):
-    ros.add(SimpleParamNode)
-    odd = ros.add(Odd, 'odd')
-    odd.declare_parameter('limits.max', 1)
-    name = {'--filter': 'anything', '--param-prefixes': 'limits.max'}[option[0]]
-    assert run('param', 'list', *option) == (f'/odd:\n  {name}\n', '', 0)
-
-
 def test_a_busy_node_is_given_up_after_a_while(silent, monkeypatch):
     for module in (session, param):
         monkeypatch.setattr(module, 'SERVICE_TIMEOUT_SEC', 0.3)
@@ -182,15 +137,6 @@ def test_a_busy_node_is_given_up_after_a_while(silent, monkeypatch):
     stdout, stderr, status = run('param', 'list', '/silent')
     assert (stdout, status) == ('', 0)
     assert "Exception while calling service of node '/silent'" in stderr
-
-
-def test_two_nodes_of_one_name_are_warned_of(ros, silent):
-    ros.add(Node, 'silent')
-    stdout, stderr, status = run('node', 'list')
-    assert (stdout, status) == ('/silent\n' * 2, 0)
-    assert stderr == ('WARNING: Be aware that there are nodes in the graph that share an exact name, '
-                      'which can have unintended side effects.\n')
-    assert run('param', 'list', '/silent')[0].count('use_sim_time') == 1
 
 
 # -- discovery ----------------------------------------------------------------------------------------------

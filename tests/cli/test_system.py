@@ -83,15 +83,6 @@ def test_what_a_snapshot_cannot_hold_is_no_difference_from_it(ros, tmp_path):
     assert (stderr, status) == ('', 1)
 
 
-def test_a_node_and_a_file_of_overrides_are_compared_on_what_the_file_holds(ros, write):
-    ros.add(SimpleParamNode)
-    path = write('/**:\n  ros__parameters:\n    max_speed_rpm: 180\n    unheard_of: 1\n', 'overrides.yaml')
-    stdout, _, status = run('diff', path, '/simple_param_node')
-    assert 'max_speed_rpm' in stdout
-    assert 'unheard_of' not in stdout
-    assert status == 1
-
-
 def test_two_nodes_of_one_name_are_pointed_out(ros, silent):
     ros.add(Camera, '/left')
     ros.add(Node, 'silent')
@@ -119,19 +110,6 @@ def test_a_node_that_hangs_is_reported_and_the_rest_is_complete(ros, silent, tmp
         assert stdout.splitlines()[0].endswith('1 without an answer')
         assert '/silent did not answer' in stderr
         assert status == 1
-
-
-def test_one_table_of_many_nodes_says_what_was_set_and_what_was_rejected(ros, write):
-    ros.add(SimpleParamNode)
-    ros.add(Camera, '/left')
-    path = write('/simple_param_node:\n  ros__parameters:\n    max_speed_rpm: -1\n'
-                 '/left/camera:\n  ros__parameters:\n    rate: 15\n', 'bad.yaml')
-    stdout, stderr, status = run('restore', path)
-    heading, _, *rows = stdout.splitlines()
-    assert heading == f'2 nodes from {path}: NOT COMPLETE, 1 of 2 parameters set'
-    assert {tuple(row.split()[:4]) for row in rows[1:]} == {
-        ('/simple_param_node', 'max_speed_rpm', '-1', 'rejected'), ('/left/camera', 'rate', '15', 'set')}
-    assert (stderr, status) == ('', 1)
 
 
 @pytest.mark.parametrize(('words', 'complaint', 'expected'), [
