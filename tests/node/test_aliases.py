@@ -1,12 +1,12 @@
 """aliases: an old name does what the new one does, at the start and later, and says that it is old."""
 
 import pytest
-from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersResult
+from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
 from rclpy.exceptions import InvalidParameterValueException
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tools import Aliases, Rules
+from param_tools import Aliases
 from param_tools.errors import AliasError
 from param_tools.node.client import changes
 from param_tutorial import ParameterClient, wait_until
@@ -66,23 +66,6 @@ def test_one_change_is_one_event_with_all_names(ros, client):
     assert [event for event in events if 50 in event.values()] == [{'max_speed': 50, 'speed': 50, 'v': 50}]
 
 
-def test_the_warning_comes_once_for_each_old_name(ros):
-    client = ParameterClient(ros.add(Robot, ros_args=['-r', '__node:=warns_once']))
-    for name in ('speed', 'max_speed', 'speed', 'v', 'v'):
-        client.set_parameter(name, 50)
-    warnings(ros, 'warns_once', ('speed', 'max_speed'), ('v', 'max_speed'))
-    assert ros.nodes[0].aliases.used == ['speed', 'v']
-
-
-@pytest.mark.parametrize(('name', 'value', 'words'), [
-    ('speed', 301, 'Parameter max_speed out of range'), ('v', 'fast', 'Wrong parameter type'),
-    ('sn', 'S2', 'Trying to set a read-only parameter: serial'), ('v', None, 'Static parameter cannot be undeclared')])
-def test_a_rejection_mentions_the_new_name_and_changes_no_value(client, name, value, words):
-    before = client.get_parameters()
-    assert words in client.set_parameter(name, value).reason
-    assert client.get_parameters() == before
-
-
 def test_two_names_with_two_values_are_rejected_and_with_one_value_are_one(client):
     rejected = client.set_parameters_atomically({'speed': 1, 'max_speed': 2, 'other': 3})
     assert rejected[0].reason == 'speed = 1 and max_speed = 2 are one parameter: set max_speed only'
@@ -94,17 +77,6 @@ def test_two_names_with_two_values_are_rejected_and_with_one_value_are_one(clien
     # One by one they are two changes.
     assert client.set_parameters({'v': 3, 'max_speed': 4}).successful
     assert client.get_parameters(SPEEDS) == dict.fromkeys(SPEEDS, 4)
-
-
-def test_parameters_without_a_value_and_of_any_type_follow_too(client):
-    assert client.get_parameters(['any', 'free', 'unset', 'start']) == dict.fromkeys(['any', 'free', 'unset', 'start'])
-    client.set_parameter('start', [1.5])
-    client.set_parameter('any', 'x')
-    assert client.get_parameters(['unset', 'start', 'free']) == {'unset': [1.5], 'start': [1.5], 'free': 'x'}
-    client.set_parameter('free', 2.5)
-    assert client.get_parameter('any') == 2.5
-    client.delete_parameter('free')
-    assert not {'any', 'free'} & set(client.list_parameters())
 
 
 @pytest.mark.parametrize('name', SPEEDS)
@@ -153,11 +125,6 @@ def test_nonsense_is_rejected_at_once(ros, names, words):
     Aliases(node, {'a': 'b'})  # nothing was left behind
 
 
-def test_a_second_object_is_rejected(client, ros):
-    with pytest.raises(AliasError, match='/robot has Aliases already: name all of them in one object'):
-        Aliases(ros.nodes[0], {'x': 'y'})
-
-
 @pytest.mark.parametrize('name', ['speed', 'v'])
 def test_an_old_name_cannot_be_declared(ros, name):
     class Forgetful(Robot):
@@ -191,25 +158,3 @@ def test_a_second_pre_set_callback_is_told_of(ros, client):
         assert reason in client.set_parameter(name, 50).reason
     assert client.set_parameter('other', 2).successful
     assert client.get_parameters(SPEEDS) == dict.fromkeys(SPEEDS, 100)
-
-
-def test_rules_and_other_callbacks_judge_old_names_too(ros, client):
-    node = ros.nodes[0]
-    Rules(node).multiple_of('max_speed', 10)
-    node.add_on_set_parameters_callback(lambda parameters: SetParametersResult(successful=True))
-    assert client.set_parameter('v', 55).reason == 'max_speed = 55: must be a multiple of 10'
-    assert client.set_parameter('v', 50).successful
-    assert client.get_parameters(SPEEDS) == dict.fromkeys(SPEEDS, 50)
-
-
-def test_a_mirror_by_hand_fails_for_a_read_only_parameter(ros):
-    class Mirror(Node):  # as in chapter 10.4, which says so
-        def __init__(self):
-            super().__init__('mirror')
-            old = self.declare_parameter('plate', 'none', ParameterDescriptor(read_only=True))
-            new = self.declare_parameter('plate_number', old.value, ParameterDescriptor(read_only=True))
-            self.written_back = self.set_parameters([new])[0].successful
-
-    mirror = ros.add(Mirror, ros_args=['-p', 'plate_number:=W-7'])
-    assert not mirror.written_back
-    assert ParameterClient(mirror).get_parameters(['plate', 'plate_number']) == {'plate': 'none', 'plate_number': 'W-7'}

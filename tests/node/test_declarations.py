@@ -63,30 +63,6 @@ def test_what_a_descriptor_says_in_vain_is_an_error(ros, default, fields, words,
     assert ParameterClient(ros.add(Contradicts)).set_parameter('x', accepted_nevertheless).successful
 
 
-def test_a_second_range_is_an_error(ros):
-    class TwoRanges(Node):
-        def __init__(self):
-            super().__init__('two_ranges')
-            self.declare_parameter('x', 1, ParameterDescriptor(integer_range=INTEGERS * 2))
-
-    with pytest.raises(DeclarationError, match=r"x: its descriptor holds what .* 'integer_range' .* length <= 1"):
-        check_declarations(TwoRanges)
-
-
-def test_one_descriptor_for_two_parameters_is_an_error(ros):
-    class Shares(Node):
-        def __init__(self):
-            super().__init__('shares')
-            shared = ParameterDescriptor(description='A length.')
-            self.declare_parameter('x', 1, shared)
-            self.declare_parameters('', [('y', 'two', shared), ('z', 3)])
-
-    with pytest.raises(DeclarationError, match='y: its descriptor is the object of x, which now describes y too'):
-        check_declarations(Shares)
-    # What that does: x takes no integer any more.
-    assert not ParameterClient(ros.add(Shares)).set_parameter('x', 2).successful
-
-
 def test_what_contradicts_nothing_is_no_error(ros):
     class Sound(Robot):
         def __init__(self):

@@ -1,7 +1,5 @@
 """The state machine behind a panel, without threads, without ROS and without a clock."""
 
-import subprocess
-import sys
 from types import SimpleNamespace
 
 import pytest
@@ -57,11 +55,6 @@ def x(state):
     return state.parameters['x']
 
 
-def test_it_needs_no_ros():
-    code = 'import sys, param_tools.node.live_state; sys.exit(any(each in sys.modules for each in sys.argv))'
-    subprocess.run([sys.executable, '-c', code, 'rclpy', 'rcl_interfaces', 'ipywidgets'], check=True)
-
-
 # -- asking -----------------------------------------------------------------------------------------------
 
 
@@ -104,15 +97,6 @@ def test_an_answer_about_a_parameter_that_was_deleted_meanwhile_is_shown_though_
     assert state.begin_reading(10.2) is None
     state.begin_showing(10.2)
     assert state.is_settled
-
-
-def test_it_is_late_only_while_it_is_busy(state, x):
-    assert not x.is_late(100.0)
-    request = state.ask(x, 2, 10.0).send
-    assert not x.is_late(10.0 + live_state.LATE_SEC)
-    assert x.is_late(10.3)
-    state.answered(request, '', 10.3)
-    assert not x.is_late(10.3)
 
 
 # -- what the node reports ------------------------------------------------------------------------------
@@ -355,7 +339,7 @@ class AnyOrder(RuleBasedStateMachine):
                 del self.wanted[parameter]
             self.requests.append(todo.send)
 
-    # -- a hand
+    # -- the user
 
     @rule(name=NAMES, value=NUMBERS)
     def ask(self, name, value):

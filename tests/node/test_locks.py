@@ -40,12 +40,6 @@ def test_what_cannot_be_changed_now_and_why(client):
     assert client.set_parameter('reach_m', 3).successful
 
 
-def test_conditions_are_read_among_other_rules(client):
-    descriptors = client.describe_parameters()
-    assert [*map(str, conditions_of(descriptors['gain']))] == ['moving is False', "mode is 'a; b'"]
-    assert conditions_of(descriptors['name']) == []
-
-
 @pytest.mark.parametrize('words', [
     'Can change only while', 'Can change only while moving', 'Can change only while x is y',
     'Can change only while x is [', 'can change only while x is 1'])

@@ -64,7 +64,3 @@ def test_a_value_of_any_type_that_yaml_makes_infinity_of_is_asked_about():
 def test_infinity_that_is_meant_and_the_largest_double_are_read(text, value):
     assert typed.parse_value(described(values.DOUBLE), text) == value
     assert typed.parse_value(described(values.DOUBLE_ARRAY), f'{text}, inf') == [value, float('inf')]
-
-
-def test_a_dynamic_infinity_is_read():
-    assert typed.parse_value(described(values.DOUBLE, dynamic=True), '[.inf, -.INF]') == [float('inf'), -float('inf')]
