@@ -51,11 +51,11 @@ with lazy.Imports(__name__) as _imports:
     from param_tools.ros.waiting import wait_until as wait_until
     from param_tools.systems.change_log import ChangeFollower as ChangeFollower
     from param_tools.systems.change_log import ChangeLog as ChangeLog
-    from param_tools.systems.comparing import compare as compare
-    from param_tools.systems.describe import describe as describe
     from param_tools.systems.restoring import restore as restore
     from param_tools.systems.sets import ParameterSet as ParameterSet
+    from param_tools.systems.sets import compare as compare
     from param_tools.systems.snapshot import all_parameters as all_parameters
+    from param_tools.systems.snapshot import describe as describe
 
 __version__ = '0.1.0'
 __getattr__, __dir__, __all__ = _imports.load, _imports.names, _imports.public

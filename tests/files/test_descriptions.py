@@ -11,7 +11,7 @@ from param_tools import values
 from param_tools.descriptor import Descriptor, Range
 from param_tools.errors import NoAnswerError, ParameterFileError
 from param_tools.files.descriptions import DescribedParameter, Descriptions, NodeDescription, read
-from param_tools.systems.describe import describe
+from param_tools.systems.snapshot import describe
 from param_tutorial import ParameterClient
 from tests.support.nodes import Arm
 from tests.support.strategies import TEXT, VALUES

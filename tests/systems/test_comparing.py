@@ -8,7 +8,7 @@ from hypothesis import given
 
 from param_tools import ParameterSet, compare
 from param_tools.errors import InvalidValueError
-from param_tools.systems.comparing import compare_systems
+from param_tools.systems.sets import compare_systems
 from tests.files.test_parameter_files import NAMES
 from tests.support.strategies import VALUES
 

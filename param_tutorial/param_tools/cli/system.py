@@ -13,8 +13,8 @@ from param_tools.cli.changes import past
 from param_tools.cli.session import CommandFailed, Commands, Session, add_graph_options
 from param_tools.errors import ParameterToolError
 from param_tools.files import parameter_files
-from param_tools.systems.comparing import compare_systems
 from param_tools.systems.restoring import restore_all
+from param_tools.systems.sets import compare_systems
 from param_tools.systems.snapshot import FIRST_WORDS, Snapshot, all_parameters
 
 

@@ -88,7 +88,7 @@ def describe(session: Session, word: str, args: argparse.Namespace) -> Descripti
     """
     if is_file(word):
         return descriptions.read(word)
-    from param_tools.systems.describe import describe as describe_nodes
+    from param_tools.systems.snapshot import describe as describe_nodes
 
     found = describe_nodes(nodes_of(session, word, args), timeout_sec=args.timeout, executor=session.executor)
     report_unanswered(session, found.unanswered)

@@ -184,18 +184,15 @@ class ChangeLog(WordTable[LoggedChange]):
         """Return only the changes that are of other kinds."""
         return ChangeLog(each for each in self if each.kind not in kinds)
 
-    def at(self, time: datetime.datetime | None = None) -> Snapshot:
-        """Return the parameters that the nodes had at a time; by default at the end of the log.
+    def at(self, time: datetime.datetime) -> Snapshot:
+        """Return the parameters that the nodes had at a time.
 
         :param time: Without a time zone, a local time.
         """
-        if time is not None:
-            time = time.astimezone()
-        elif self.records:
-            time = self.records[-1].time
+        time = time.astimezone()
         state: dict[str, dict[str, Any]] = {}
         for each in self:
-            if time is not None and each.time > time:
+            if each.time > time:
                 break
             if each.kind == 'begin':
                 state.clear()

@@ -1,4 +1,4 @@
-"""Read the parameters of all nodes at once, and save them in one file."""
+"""Ask all nodes at once: for their parameters, which can be saved in one file, or for what they declare."""
 
 import datetime
 from collections.abc import Callable, Iterable
@@ -9,6 +9,7 @@ from rclpy.node import Node
 from param_tools import values
 from param_tools.errors import ExecutorError, NodeError, NodeNotFoundError
 from param_tools.files import parameter_files
+from param_tools.files.descriptions import DescribedParameter, Descriptions, NodeDescription
 from param_tools.markup.styles import style
 from param_tools.markup.tables import Row, grouped_table
 from param_tools.markup.wording import format_count
@@ -78,6 +79,23 @@ def all_parameters(nodes: Iterable[str | Node] | str | Node | None = None, *, ti
     """
     answers, unanswered = ask_all(nodes, ParameterClient.get_parameters, timeout_sec=timeout_sec, executor=executor)
     return Snapshot(answers, unanswered)
+
+
+def describe(nodes: Iterable[str | Node] | str | Node | None = None, *, timeout_sec: float = TIMEOUT_SEC,
+             executor: BackgroundExecutor | None = None) -> Descriptions:
+    """Ask running nodes what they declare, all at the same time.
+
+    :param nodes: Which; by default all in the graph. Only then the result is ``complete``, if all have answered.
+    :param timeout_sec: How long a node may take for each answer; one that doesn't answer is in ``unanswered``.
+    :raises ExecutorError: no executor is running, or this is called from a callback.
+    """
+    def ask(client: ParameterClient) -> NodeDescription:
+        descriptors, present = client.describe_and_get()
+        return NodeDescription(client.node, {
+            name: DescribedParameter(each, present[name]) for name, each in descriptors.items()})
+
+    answers, unanswered = ask_all(nodes, ask, timeout_sec=timeout_sec, executor=executor)
+    return Descriptions(answers.values(), complete=nodes is None and not unanswered, unanswered=unanswered)
 
 
 def ask_all(nodes: Iterable[str | Node] | str | Node | None, question: Callable[[ParameterClient], T], *,

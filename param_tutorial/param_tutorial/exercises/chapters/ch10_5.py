@@ -9,9 +9,8 @@ from rclpy.node import Node
 
 from param_tools import values
 from param_tools.node.rules import Rules
-from param_tools.systems.comparing import Difference, compare
 from param_tools.systems.restoring import restore
-from param_tools.systems.sets import ParameterSet
+from param_tools.systems.sets import Difference, ParameterSet, compare
 from param_tutorial.exercises.exercise import FUNCTION, TEXT, Exercise
 from param_tutorial.exercises.expectations import ClientInCorner, run_lines
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
