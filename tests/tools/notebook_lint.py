@@ -13,8 +13,6 @@ from typing import Any, NamedTuple
 
 import nbformat
 
-MAX_BYTES = 300_000
-MAX_CODE_CELLS_IN_A_ROW = 4
 MAX_NOT_COMPARED = 1 / 8
 
 NOT_COMPARED_TAGS = {'nbval-skip', 'nbval-ignore-output'}
@@ -62,9 +60,6 @@ def check_page(path: Path) -> Found:
 
 
 def check_notebook(path: Path) -> Found:
-    size = path.stat().st_size
-    if size > MAX_BYTES:
-        yield 0, f'is {size // 1000} kB; a lesson has at most {MAX_BYTES // 1000} kB.'
     try:
         notebook = nbformat.reads(path.read_text(encoding='utf-8'), as_version=nbformat.NO_CONVERT)
         nbformat.validate(notebook)
@@ -80,7 +75,6 @@ def check_notebook(path: Path) -> Found:
     yield from check_execution(code)
     yield from check_comparison(code)
     yield from check_errors(code)
-    yield from check_rhythm(cells)
     yield from check_headings(prose)
     if cells and not (cells[0][1].cell_type == 'markdown' and cells[0][1].source.startswith('# ')):
         yield 1, 'the first cell must start with the title, a heading of level 1.'
@@ -146,14 +140,6 @@ def check_errors(code: list[tuple[int, Any]]) -> Found:
             yield number, f'ends in {raised[0].ename}: mend it, or tag it raises-exception if that is the lesson.'
         if intended and not raised:
             yield number, 'is tagged raises-exception but raised none.'
-
-
-def check_rhythm(cells: list[tuple[int, Any]]) -> Found:
-    in_a_row = 0
-    for number, cell in cells:
-        in_a_row = in_a_row + 1 if cell.cell_type == 'code' else 0
-        if in_a_row == MAX_CODE_CELLS_IN_A_ROW + 1:
-            yield number, f'is the fifth code cell in a row: say something after at most {MAX_CODE_CELLS_IN_A_ROW}.'
 
 
 def headings(text: str) -> list[tuple[int, str]]:
