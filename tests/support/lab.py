@@ -158,11 +158,11 @@ class Lab:
 
 
 @contextlib.contextmanager
-def chromium(program: str | Path | None = CHROMIUM, address: str = '127.0.0.1') -> Iterator[Browser]:
-    """Start Chromium, which can reach this machine, or one other address, and nothing else, and end it afterwards."""
+def chromium() -> Iterator[Browser]:
+    """Start Chromium, which can reach this machine and nothing else, and end it afterwards."""
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=program, args=[
-            '--disable-gpu', f'--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE {address}'])
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=[
+            '--disable-gpu', '--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1'])
         try:
             yield browser
         finally:
