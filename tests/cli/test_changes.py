@@ -17,8 +17,8 @@ def log(ros, tmp_path):
     """Return the path of a log in which a robot gets another name, and then another."""
     ros.add(SimpleParamNode)
     path = tmp_path / 'changes.jsonl'
-    thread = threading.Thread(target=lambda: told.append(run('watch', '--log', path, in_notebook=False)))
-    told = []
+    thread = threading.Thread(target=lambda: results.append(run('watch', '--log', path, in_notebook=False)))
+    results = []
     thread.start()
     try:
         wait_until(lambda: path.exists() and 'robot_name' in path.read_text(), 'the log to begin')
@@ -32,7 +32,7 @@ def log(ros, tmp_path):
         # machine.
         while thread.is_alive():
             raise_in(thread, KeyboardInterrupt)
-    stdout, stderr, status = told[0]
+    stdout, stderr, status = results[0]
     assert stdout.startswith('Watching 9 parameters of 1 node\n')
     assert "/simple_param_node robot_name: 'Clawbot' → 'Berta'\n" in stdout
     assert (stderr, status) == ('', 0)
@@ -40,7 +40,7 @@ def log(ros, tmp_path):
 
 
 @pytest.mark.slow
-def test_what_has_happened_is_told_and_brought_back(ros, log):
+def test_what_has_happened_is_printed_and_brought_back(ros, log):
     stdout, stderr, status = run('history', log)
     assert re.search(r"/simple_param_node  robot_name  changed  'Berta' +'Carla'\n", stdout)
     assert (stderr, status) == ('', 0)

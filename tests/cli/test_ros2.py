@@ -149,10 +149,10 @@ import rclpy
 from rclpy.node import Node
 rclpy.init(signal_handler_options=rclpy.signals.SignalHandlerOptions.NO)
 node = Node('late')
-told = []
-signal.signal(signal.SIGINT, lambda *_: told.append(1))
+ended = []
+signal.signal(signal.SIGINT, lambda *_: ended.append(1))
 print('ready', flush=True)
-while not told:
+while not ended:
     rclpy.spin_once(node, timeout_sec=0.1)
 node.destroy_node()
 rclpy.shutdown()

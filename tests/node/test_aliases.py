@@ -47,16 +47,6 @@ def test_every_name_sets_all_of_them(client, name, verb):
     assert client.get_parameters([*SPEEDS, 'other']) == {'max_speed': 50, 'speed': 50, 'v': 50, 'other': 7}
 
 
-def test_old_names_are_listed_and_described(client):
-    assert client.list_parameters()[2:] == ['max_speed', 'speed', 'v', 'serial', 'sn', 'any', 'free', 'unset', 'start',
-                                            'other']
-    described = client.describe_parameters(SPEEDS)
-    assert {each.range for each in described.values()} == {described['max_speed'].range}
-    assert described['speed'].description == 'Deprecated, use max_speed. Top speed.'
-    assert described['max_speed'].description == 'Top speed.'
-    assert client.describe_parameter('sn').read_only
-
-
 def test_one_change_is_one_event_with_all_names(ros, client):
     events = []
     stop = ros.on_parameter_event(lambda event: events.append(dict(changes(event))))
@@ -77,6 +67,17 @@ def test_two_names_with_two_values_are_rejected_and_with_one_value_are_one(clien
     # One by one they are two changes.
     assert client.set_parameters({'v': 3, 'max_speed': 4}).successful
     assert client.get_parameters(SPEEDS) == dict.fromkeys(SPEEDS, 4)
+
+
+def test_parameters_without_a_value_and_of_any_type_follow_too(client):
+    assert client.get_parameters(['any', 'free', 'unset', 'start']) == dict.fromkeys(['any', 'free', 'unset', 'start'])
+    client.set_parameter('start', [1.5])
+    client.set_parameter('any', 'x')
+    assert client.get_parameters(['unset', 'start', 'free']) == {'unset': [1.5], 'start': [1.5], 'free': 'x'}
+    client.set_parameter('free', 2.5)
+    assert client.get_parameter('any') == 2.5
+    client.delete_parameter('free')
+    assert not {'any', 'free'} & set(client.list_parameters())
 
 
 @pytest.mark.parametrize('name', SPEEDS)
@@ -151,7 +152,7 @@ def test_the_nodes_own_pre_set_callback_sees_new_names_only(ros):
     assert client.get_parameters([*SPEEDS, 'other']) == {'max_speed': 50, 'speed': 50, 'v': 50, 'other': 5}
 
 
-def test_a_second_pre_set_callback_is_told_of(ros, client):
+def test_a_second_pre_set_callback_is_reported(ros, client):
     ros.nodes[0].add_pre_set_parameters_callback(lambda parameters: parameters)
     reason = 'is there twice in one change. If the request named it once, the node has another pre-set callback'
     for name in SPEEDS:

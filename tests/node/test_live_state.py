@@ -77,7 +77,7 @@ def test_what_is_asked_for_is_sent_at_once_and_read_back_when_it_is_answered(sta
     (RuntimeError('x'), True),
     (NodeGoneError(NODE, 'set_parameters'), False),
 ])
-def test_an_error_in_place_of_the_answer_is_told_and_the_node_asked_if_it_can_be(state, x, error, read):
+def test_an_error_in_place_of_the_answer_is_shown_and_the_node_read_if_it_can_be(state, x, error, read):
     assert state.answer_failed(state.ask(x, 2, 10.0).send, error, 10.1) == Todo(read=read, show=not read)
     assert (x.value, x.busy) == (1, False)
     assert str(error) in x.message
@@ -121,7 +121,7 @@ def test_a_busy_parameter_is_read_when_its_request_has_ended(state, x):
     request = state.ask(x, 2, 10.0).send
     assert not state.changed([changed('x', 2)], others=False).read
     assert state.begin_reading(10.0) is None
-    # The answer is lost, but the event has told that something was stored.
+    # The answer is lost, but the event says that something was stored.
     assert state.answer_failed(request, NoAnswerError(NODE, 'set_parameters', 3.0), 13.0).read
     assert state.begin_reading(13.0).names == ['x']
 

@@ -72,19 +72,6 @@ def test_two_long_values_that_differ_look_different(value, data):
     assert max(len(before), len(after)) < 150
 
 
-@pytest.mark.parametrize(('before', 'after', 'texts'), [
-    ([1] * 900 + [2, 3], [1] * 900 + [4, 3], ('[…, 2, …] (from index 900, 902 elements)',
-                                              '[…, 4, …] (from index 900, 902 elements)')),
-    ('x' * 80 + 'end', 'x' * 80 + 'END', ("…'end'… (from index 80, 83 characters)",
-                                          "…'END'… (from index 80, 83 characters)")),
-    ([1] * 900, [1] * 901, ('[1, 1, 1, … (900 elements)', '[1, 1, 1, … (901 elements)')),
-    (1, 2, ('1', '2')),
-    (['a' * 70], ['a' * 70], ("['aaaaaaaa… (1 elements)",) * 2),
-])
-def test_a_change_shows_where_long_values_begin_to_differ(before, after, texts):
-    assert values.format_change(before, after, 10) == texts
-
-
 def test_a_message_with_a_made_up_type_is_rejected():
     with pytest.raises(InvalidValueError, match='77'):
         values.to_python(ParameterValue(type=77))

@@ -55,7 +55,7 @@ def test_one_by_one_sets_what_it_can_in_whatever_order_it_takes(client):
     assert client.get_parameters(['low_c', 'high_c']) == {'low_c': 50, 'high_c': 60}
 
 
-def test_a_node_that_stores_something_else_is_told_of(ros, client):
+def test_a_node_that_stores_something_else_is_reported(ros, client):
     ros.nodes[0].add_pre_set_parameters_callback(lambda parameters: [
         Parameter(each.name, value=min(each.value, 200)) if each.name == 'speed' else each for each in parameters])
     restored = restore(client, {'speed': 250})

@@ -1,4 +1,4 @@
-"""A log of all changes of parameters: a ChangeFollower hears of them, a ChangeLogWriter keeps them in a file, and a
+"""A log of all changes of parameters: a ChangeFollower notices them, a ChangeLogWriter keeps them in a file, and a
 ChangeLog reads the file back.
 
 A log is a text file with one JSON object in each line: time, node, parameter, kind, old and new value. Each line is on
@@ -57,7 +57,7 @@ class LoggedChange:
     """One line of a log."""
 
     time: datetime.datetime
-    """When the follower heard of the change, with a time zone."""
+    """When the follower noticed the change, with a time zone."""
     kind: str
     """One of KINDS."""
     node: str = ''
@@ -232,11 +232,11 @@ class ChangeLog(WordTable[LoggedChange]):
 
 
 class ChangeFollower:
-    """Hears of every change of every parameter, and knows the value before it. A context manager.
+    """Reports every change of every parameter, with the value before it. A context manager.
 
-    Each node is read once, when it appears, and again after it has been restarted; from then on its events tell. Events
-    and answers are handled in the order in which they arrive, and an answer tells only of parameters of which no event
-    has told yet. So an answer that comes late puts no old value after a newer one.
+    Each node is read once, when it appears, and again after it has been restarted; from then on its events are enough.
+    Events and answers are handled in the order in which they arrive. Of an answer, only those parameters are noted
+    that no event has named yet, so that an answer that comes late puts no old value after a newer one.
     """
 
     def __init__(self, listener: Callable[[list[LoggedChange]], None], *, nodes: Iterable[str] = (),
@@ -257,7 +257,7 @@ class ChangeFollower:
         self._executor = executor or stage.current()
         self._known: dict[str, dict[str, Any]] = {}
         self._by_events: dict[str, set[str]] = {}
-        """The parameters of each node of which an event has told."""
+        """The parameters of each node that an event has named."""
         self._incarnations: dict[str, frozenset[bytes]] = {}
         self._unread: dict[str, object] = {}
         """The nodes that have been asked and whose answer has not arrived, each with a mark of its reading."""
