@@ -37,7 +37,7 @@ from param_tutorial.exercises.chapter_progress import Chapter, ChapterProgress
 from param_tutorial.exercises.exercise import Exercise
 from param_tutorial.exercises.predicting import PredictionView
 from param_tutorial.exercises.prediction import Prediction
-from param_tutorial.exercises.results import Answer, Hint, Result
+from param_tutorial.exercises.results import Answer, Result
 from param_tutorial.learner import ticks
 from param_tutorial.learner.progress import own_progress
 
@@ -95,10 +95,7 @@ def hint(number: str = '') -> Answer:
     if exercise is None:
         return _unknown(number)
     given = _hints_given[number] = _hints_given.get(number, 0) + 1
-    if given > len(exercise.hints):
-        return Answer(f'There are no more hints for exercise {number}. A worked solution is in '
-                      f'{exercise.solutions}.')
-    return Hint(number, given, exercise.hints)
+    return Answer(exercise.hint(given))
 
 
 def predict(number: str = '') -> PredictionView | Answer:
@@ -142,5 +139,5 @@ def _unknown(number: Any, what: str = 'exercise', existing: Mapping[str, object]
     return Answer(f'There is no {what} {number!r}{nearest(str(number), list(existing), "There are none")}')
 
 
-__all__ = ['CHAPTERS', 'EXERCISES', 'PREDICTIONS', 'RECALLS', 'Answer', 'Hint', 'Result', 'check', 'hint',
-           'predict', 'progress', 'recall']
+__all__ = ['CHAPTERS', 'EXERCISES', 'PREDICTIONS', 'RECALLS', 'Answer', 'Result', 'check', 'hint', 'predict',
+           'progress', 'recall']

@@ -9,7 +9,7 @@ from rclpy.node import Node
 from param_tools import values
 from param_tools.errors import ExecutorError, NoAnswerError
 from param_tools.ros import no_input
-from param_tutorial.exercises.results import Answer, Finding, Hint, Result
+from param_tutorial.exercises.results import Answer, Finding, Result
 from param_tutorial.exercises.trial import (
     CORNER,
     STUCK,
@@ -134,6 +134,14 @@ class Exercise:
         return Answer(f'The check of exercise {self.number} needs your work too. Give it {self.takes.name}, like this: '
                       f'`exercises.check({self.number!r}, {self.takes.example})`. The cell below the exercise does.')
 
+    def hint(self, position: int) -> str:
+        """Return one of the hints as a sentence, the first for 1; after the last one, where the solution is."""
+        count = len(self.hints)
+        if position > count:
+            return f'There are no more hints for exercise {self.number}. A worked solution is in {self.solutions}.'
+        after = f'the next: `exercises.hint({self.number!r})`' if position < count else 'the last'
+        return f'Hint {position} of {count} ({after}). {self.hints[position - 1]}'
+
     def check(self, work: Any) -> Result:
         """Try out a learner's work; see ``exercises.check``."""
         if not self.takes.fits(work):
@@ -175,8 +183,7 @@ class Exercise:
                         f'A worked solution, to compare: {self.solutions}', picture)
         if not result.done:
             begun = any(finding.done for finding in findings)
-            result.text = f'For a hint: `exercises.hint({self.number!r})`' if begun else Hint(
-                self.number, 1, self.hints).text
+            result.text = f'For a hint: `exercises.hint({self.number!r})`' if begun else self.hint(1)
         return result
 
 

@@ -25,18 +25,6 @@ class Answer:
         return f'{STYLE}<div class="param-check"><p>{with_code(self.text)}</p></div>'
 
 
-class Hint(Answer):
-    """One of an exercise's hints."""
-
-    def __init__(self, number: str, position: int, hints: tuple[str, ...]) -> None:
-        """
-        :param number: Of the exercise.
-        :param position: Of the hint, from 1.
-        """
-        after = f'the next: `exercises.hint({number!r})`' if position < len(hints) else 'the last'
-        super().__init__(f'Hint {position} of {len(hints)} ({after}). {hints[position - 1]}')
-
-
 @dataclass(frozen=True)
 class Finding:
     """What became of one requirement."""
