@@ -224,10 +224,11 @@ def test_a_request_that_an_endless_loop_has_made_late_is_answered_nevertheless(r
 # Asleep in a lock, or awake and catching everything.
 @pytest.mark.slow
 @pytest.mark.parametrize('blocks', ['threading.Event().wait()', 'catch_everything()'])
-def test_the_interpreter_ends_well_with_a_callback_that_never_returns(blocks):
+def test_a_stage_whose_callback_never_returns_says_so_and_begins_anew_and_the_interpreter_ends_well(blocks):
     done = run_python(f'''
         import sys, threading, time, param_tutorial
         from rclpy.node import Node
+        from param_tools.errors import ExecutorError
         from param_tools.ros import executor
         executor.STOP_TIMEOUT_SEC = executor.INTERRUPT_TIMEOUT_SEC = 0.3
         entered = threading.Event()
@@ -244,8 +245,18 @@ def test_the_interpreter_ends_well_with_a_callback_that_never_returns(blocks):
             def tick(self):
                 entered.set()
                 {blocks}
-        param_tutorial.start().add(Stuck)
+        ros = param_tutorial.start()
+        ros.add(Stuck)
         entered.wait()
+        try:
+            ros.run(lambda: None, 'work', timeout_sec=0.3)
+        except ExecutorError as error:
+            print(error)
+        fresh = param_tutorial.start()
+        print(fresh is ros, fresh.services.node_names())
         sys.exit(3)
     ''')
-    assert (done.returncode, done.stdout, done.stderr) == (3, '', '')
+    assert (done.returncode, done.stderr) == (3, '')
+    assert done.stdout == (
+        'cannot work: The timer callback tick of /stuck does not return and cannot be interrupted. '
+        'Call start() again: it begins anew, without any node\nFalse []\n')
