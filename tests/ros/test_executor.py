@@ -231,7 +231,7 @@ def test_a_stage_whose_callback_never_returns_says_so_and_begins_anew_and_the_in
         from param_tools.errors import ExecutorError
         from param_tools.ros import executor
         executor.STOP_TIMEOUT_SEC = executor.INTERRUPT_TIMEOUT_SEC = 0.3
-        entered = threading.Event()
+        added, entered = threading.Event(), threading.Event()
         def catch_everything():
             while True:
                 try:
@@ -243,10 +243,12 @@ def test_a_stage_whose_callback_never_returns_says_so_and_begins_anew_and_the_in
                 super().__init__('stuck')
                 self.create_timer(0.01, self.tick)
             def tick(self):
-                entered.set()
-                {blocks}
+                if added.is_set():  # add() itself needs the executor's thread
+                    entered.set()
+                    {blocks}
         ros = param_tutorial.start()
         ros.add(Stuck)
+        added.set()
         entered.wait()
         try:
             ros.run(lambda: None, 'work', timeout_sec=0.3)
