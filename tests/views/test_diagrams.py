@@ -125,8 +125,8 @@ def test_the_graph_is_what_is_connected(ros, weather):
     assert {'/weather', '/param_event_monitor', '/param_query_node'} <= set(graph.serves)
     assert {'/param_event_monitor', 'this notebook'} <= set(graph.listens)
     assert {('this notebook', '/weather'), ('/param_query_node', '/simple_param_node')} <= set(graph.asks)
-    # The stage also knows whom tests before this one have asked in vain.
-    assert '/simple_param_node' in graph.missing and '_hidden' not in repr(graph)
+    # /wether: the stage still has the client of a test that may have run before this one.
+    assert set(graph.missing) - {'/wether'} == {'/simple_param_node'} and '_hidden' not in repr(graph)
     ros.remove(query)
     assert '/param_query_node' not in views.node_graph().askers
 
