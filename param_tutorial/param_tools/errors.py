@@ -13,6 +13,7 @@
     ├── AliasError                  names of parameters cannot stand for one another (also ValueError)
     └── NodeError                   about one node; carries ``.node``
         ├── NodeNotFoundError       there is no node of that name                   (also LookupError)
+        ├── NoServiceError          the node is there, without this parameter service
         ├── NoAnswerError           the node is there and did not answer in time    (also TimeoutError)
         ├── NodeGoneError           the node went away in mid-call                  (also ConnectionError)
         ├── CallbackError           the node's own callback raised instead of answering
@@ -83,11 +84,19 @@ class NodeError(ParameterToolError):
 class NodeNotFoundError(NodeError, LookupError):
     """There is no node of that name."""
 
-    def __init__(self, node: str, existing: Sequence[str], network_sec: float | None = None):
-        """:param network_sec: For how long it was looked for on other machines, if it was."""
+    def __init__(self, node: str, existing: Sequence[str], *, on_network: bool = False):
+        """:param on_network: True if it was looked for on other machines as well."""
         self.existing = existing
-        where = '' if network_sec is None else f' on this machine, nor within {network_sec:g} s on the network'
+        where = ', neither on this machine nor on the network' if on_network else ''
         super().__init__(node, f'there is no node {node}{where}{nearest(node, existing, "No node is running")}')
+
+
+class NoServiceError(NodeError):
+    """The node is there and doesn't offer a parameter service."""
+
+    def __init__(self, node: str, service: str):
+        super().__init__(node, f'{node} is running but offers no {service} service: it was created with '
+                               f'start_parameter_services=False, or is just leaving')
 
 
 class NoAnswerError(NodeError, TimeoutError):

@@ -9,8 +9,8 @@ from rclpy.parameter import Parameter
 from param_tools import all_parameters, values
 from param_tools.errors import (
     NoAnswerError,
-    NodeError,
     NodeNotFoundError,
+    NoServiceError,
 )
 from param_tools.files.parameter_files import read_all
 from param_tools.node.client import ParameterValues
@@ -58,7 +58,7 @@ def test_who_does_not_answer_is_named_and_keeps_nobody(ros, silent):
     snapshot = all_parameters([arm, silent, ros.add(Mute), '/gone'], timeout_sec=1.0)
     assert list(snapshot) == ['/left/arm']
     assert {node: type(error) for node, error in snapshot.unanswered.items()} == {
-        '/silent': NoAnswerError, '/gone': NodeNotFoundError, '/mute': NodeError}
+        '/silent': NoAnswerError, '/gone': NodeNotFoundError, '/mute': NoServiceError}
     with pytest.raises(NoAnswerError):
         snapshot['/silent']
     with pytest.raises(NodeNotFoundError, match=r'no node /left/amr.*/left/arm\?'):

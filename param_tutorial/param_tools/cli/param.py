@@ -129,7 +129,7 @@ def _ask_all(session: Session, nodes: Sequence[str], request: ListParameters.Req
 def _listed_nodes(session: Session, *, hidden: bool) -> list[NodeName]:
     """Return the nodes, each name once, in the order of the genuine command, when their services are known."""
     found = sorted({each for each in session.node_names(hidden=hidden) if each.name != TOOL_NODE_NAME})
-    graph.wait_for(lambda: all([_has_services(session, each) for each in found]))
+    waiting.wait(lambda: all([_has_services(session, each) for each in found]), graph.DISCOVERY_SEC)
     return found
 
 

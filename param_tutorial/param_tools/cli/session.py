@@ -11,6 +11,7 @@ from collections.abc import Callable, Generator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Protocol, TypeAlias
 
+from param_tools.errors import NoServiceError
 from param_tools.ros.waiting import Steps
 
 if TYPE_CHECKING:
@@ -95,37 +96,25 @@ class Session:
         """Wait until no node has come for a while."""
         from param_tools.ros import graph
 
-        graph.wait_until_quiet(self.executor.tool_node, self.patience(args))
+        joining_sec = 0.0 if self.in_notebook else graph.JOINING_SEC
+        graph.wait_until_quiet(self.executor.tool_node, joining_sec if args.spin_time is None else args.spin_time)
 
     def find(self, args: argparse.Namespace) -> str:
         """Return the fully qualified name of the node that was named, once it is there."""
-        from param_tools.ros import domain, graph
-
         node = args.node_name if args.node_name.startswith('/') else f'/{args.node_name}'
         # A hidden node is not looked at without the option; nothing can be waited for then.
         hidden = node.rpartition('/')[2].startswith(HIDDEN_NODE_PREFIX)
-        is_alone = self.in_notebook or domain.is_limited_to_this_host()
-        at_least = max(self.patience(args), getattr(args, 'timeout', None) or 0.0,
-                       0.0 if is_alone else graph.NETWORK_SEC)
-        if (hidden and not args.include_hidden_nodes) or not self.executor.services.find(node, at_least_sec=at_least):
-            if is_alone:
-                raise CommandFailed('Node not found')
-            raise CommandFailed(f'Node not found on this machine, nor within {at_least:g} s on the network')
+        if (hidden and not args.include_hidden_nodes) or not self.executor.services.find(
+                node, at_least_sec=max(args.spin_time or 0.0, getattr(args, 'timeout', None) or 0.0)):
+            raise CommandFailed('Node not found')
         return node
-
-    def patience(self, args: argparse.Namespace) -> float:
-        """Return how long to look for nodes at least, in seconds."""
-        if args.spin_time is not None:
-            return float(args.spin_time)
-        from param_tools.ros import graph
-
-        return 0.0 if self.in_notebook else graph.JOINING_SEC
 
     def call(self, node: str, service: str, request: Any) -> Any:
         """Call a parameter service of a node that has been found."""
-        if not self.executor.services.find(node, service):
-            raise CommandFailed(without_services(node))
-        return self.executor.services.call(node, service, request, timeout_sec=SERVICE_TIMEOUT_SEC)
+        try:
+            return self.executor.services.call(node, service, request, timeout_sec=SERVICE_TIMEOUT_SEC)
+        except NoServiceError:
+            raise CommandFailed(without_services(node)) from None
 
 
 def run_verb(session: Session, args: argparse.Namespace) -> Steps:

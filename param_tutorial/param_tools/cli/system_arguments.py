@@ -55,7 +55,7 @@ def nodes_of(session: Session, word: str, args: argparse.Namespace) -> list[str]
     """
     if word != ALL_NODES:
         name = full_name(word)
-        if not session.executor.services.find(name, at_least_sec=session.patience(args)):
+        if not session.executor.services.find(name, at_least_sec=args.spin_time or 0.0):
             session.wait_for_graph(args)
             raise CommandFailed(str(NodeNotFoundError(name, session.executor.services.node_names())))
         _report_twins(session, [name], args)

@@ -2,12 +2,12 @@
 
 Discovery takes time: a process that has just joined learns of the others one by one, in a tenth of a second on an idle
 machine. Nothing tells when it is finished. So a search goes on until it has found something or DISCOVERY_SEC have
-passed; and a list of nodes waits until nothing new has come for QUIET_SEC.
+passed, and in a process that has just joined NEWCOMER_SEC; and a list of nodes waits until nothing new has come for
+QUIET_SEC.
 """
 
 import time
 from collections import Counter
-from collections.abc import Callable
 
 from rclpy.node import Node, NodeNameNonExistentError
 from rclpy.topic_endpoint_info import TopicEndpointInfo
@@ -18,8 +18,9 @@ from param_tools.ros.service_types import SERVICE_TYPES
 DISCOVERY_SEC = 1.0
 # What the genuine command gives discovery in a process that has just joined.
 JOINING_SEC = 0.5
-# How long to look for a node that may be on another machine.
-NETWORK_SEC = 2.0
+# For so long after it has joined, a process may still learn of a node that was there before: Fast DDS answers a
+# newcomer once, and announces itself again every 3 s. Our profile (fastdds.xml) cures that; the user may have another.
+NEWCOMER_SEC = 5.0
 QUIET_SEC = 0.2
 
 Incarnations = frozenset[tuple[str, bytes]]
@@ -69,19 +70,11 @@ def incarnations(observer: Node) -> Incarnations:
                      for info in observer.get_publishers_info_by_topic('/parameter_events'))
 
 
-def wait_for(condition: Callable[[], object], at_least_sec: float = 0.0) -> bool:
-    """Wait until something is in the graph, and return whether it is.
-
-    :param at_least_sec: Where discovery takes longer than DISCOVERY_SEC, as on a network.
-    """
-    return waiting.wait(condition, max(DISCOVERY_SEC, at_least_sec))
-
-
 def wait_until_quiet(observer: Node, at_least_sec: float = 0.0) -> None:
     """Wait until no node has come or gone for a while, or DISCOVERY_SEC have passed.
 
     :param at_least_sec: Wait for so long in any case: the observer has just joined. If it is still alone then, it waits
-        on.
+        on, for up to NEWCOMER_SEC.
     """
     began = time.monotonic()
     quiet_sec, joining_sec = QUIET_SEC * waiting.PATIENCE, at_least_sec * waiting.PATIENCE
@@ -97,7 +90,7 @@ def wait_until_quiet(observer: Node, at_least_sec: float = 0.0) -> None:
         is_alone = bool(at_least_sec) and len(found) == 1
         return now - since >= quiet_sec and now - began >= joining_sec and is_whole and not is_alone
 
-    wait_for(is_quiet, at_least_sec)
+    waiting.wait(is_quiet, max(at_least_sec, NEWCOMER_SEC if at_least_sec else DISCOVERY_SEC))
 
 
 def has_left(node: str, observer: Node) -> bool:

@@ -5,6 +5,7 @@ mid-call. What the requests mean is in ``client``.
 """
 
 import contextlib
+import math
 import threading
 import time
 from collections import deque
@@ -26,9 +27,10 @@ from param_tools.errors import (
     NodeError,
     NodeGoneError,
     NodeNotFoundError,
+    NoServiceError,
     ParameterToolError,
 )
-from param_tools.ros import domain, graph, waiting
+from param_tools.ros import domain, graph, host, waiting
 from param_tools.ros.service_types import SERVICE_TYPES
 from param_tools.ros.waiting import deadline
 
@@ -104,6 +106,7 @@ class Services:
     def __init__(self, executor: Carrier):
         """:param executor: Must be spinning its tool node when something is called."""
         self._executor, self._tool_node = executor, executor.tool_node
+        self._newcomer_until = deadline(graph.NEWCOMER_SEC)
         self._clients: dict[tuple[str, str], Client] = {}
         self._pending: dict[Future, _PendingCall] = {}
         # The node and service of each client that has had an answer since the graph changed.
@@ -124,10 +127,9 @@ class Services:
 
         :param node: Fully qualified name.
         :param service: One of SERVICE_TYPES.
-        :param timeout_sec: How long the node may take to answer. To come, it may take ``graph.DISCOVERY_SEC``, or this
-            time if it is longer than TIMEOUT_SEC.
+        :param timeout_sec: How long the node may take to answer; and to come, if that is more than graph.NEWCOMER_SEC.
         :raises NodeNotFoundError: there is no such node.
-        :raises NodeError: it has no such service.
+        :raises NoServiceError: it has no such service.
         :raises NoAnswerError: it did not answer in time.
         :raises NodeGoneError: it left before it answered.
         :raises CallbackError: a callback of the node, which lives in this process, raised an exception.
@@ -136,13 +138,15 @@ class Services:
         if self._executor.in_thread():
             raise ExecutorError('a callback cannot wait for a service: the answer would have to come through the '
                                 'executor that the callback keeps busy. Use call_async of an rclpy client')
+        if not self.find(node, service, timeout_sec if timeout_sec > graph.NEWCOMER_SEC else 0.0):
+            raise self._absence(node, service)
         finished = threading.Event()
         future = self.call_async(node, service, request, timeout_sec=timeout_sec)
         future.add_done_callback(lambda _: finished.set())
         # The executor ends a call that is late, as long as no callback keeps it busy.
         if not waiting.wait_for(finished, timeout_sec):
             self._executor.free()
-            if not waiting.wait_for(finished, max(graph.DISCOVERY_SEC, timeout_sec) + _GRACE_SEC):
+            if not waiting.wait_for(finished, timeout_sec + _GRACE_SEC):
                 self._forget(future)
                 raise self._no_answer(node, service, timeout_sec)
         return future.result()
@@ -172,7 +176,11 @@ class Services:
             # Requests are sent in the order of the calls; rclpy's executor runs the newest task first.
             while queue[0] is not future:
                 await _NextTurn()
-            await self._find(node, service, timeout_sec)
+            end = deadline(graph.DISCOVERY_SEC)
+            while not self.is_ready(node, service):
+                if self._gives_up(node, end):
+                    raise self._absence(node, service)
+                await _NextTurn()
             # A server that has just been discovered may know the client's request and not yet where to answer; rmw
             # then waits a tenth of a second and drops the answer. Questions can simply be repeated. A set should not
             # be, so it is preceded by an empty one, which no callback hears of.
@@ -192,23 +200,6 @@ class Services:
             if not self._waiting_coroutines:
                 with contextlib.suppress(InvalidHandle):  # the stage ends
                     self._clock.cancel()
-
-    async def _find(self, node: str, service: str, timeout_sec: float) -> None:
-        """Do in a coroutine what ``find`` does: not for long, unless the caller has more time than usual.
-
-        :raises NodeNotFoundError: there is no such node.
-        :raises NodeError: it has no such service.
-        """
-        patience_sec = graph.DISCOVERY_SEC if timeout_sec <= TIMEOUT_SEC else timeout_sec
-        end = deadline(patience_sec)
-        while not self.is_ready(node, service):
-            if time.monotonic() > end:
-                if node not in self.node_names(hidden=True):
-                    network_sec = None if domain.is_limited_to_this_host() else patience_sec
-                    raise NodeNotFoundError(node, self.node_names(), network_sec)
-                raise NodeError(node, f'{node} is running but offers no {service} service: it was created with '
-                                      f'start_parameter_services=False, or is just leaving')
-            await _NextTurn()
 
     async def _request(self, node: str, service: str, request: Any, timeout_sec: float, *, repeat: bool,
                        on_sent: Callable[[], object] = lambda: None) -> Any:
@@ -234,9 +225,11 @@ class Services:
     def find(self, node: str, service: str = '', at_least_sec: float = 0.0) -> bool:
         """Wait until a node, or one of its parameter services, is in the graph, and return whether it is.
 
+        A node that is missing is waited for until discovery must have finished: see ``graph``.
+
         :param node: Fully qualified name.
         :param service: One of SERVICE_TYPES; without it, a node that has none is found by its name.
-        :param at_least_sec: Where discovery takes longer than ``graph.DISCOVERY_SEC``, as on a network.
+        :param at_least_sec: Where a node may take longer to come, as on a network.
         """
         def is_known() -> bool:
             if service:
@@ -244,10 +237,27 @@ class Services:
             # A node's services may be known before its name.
             return self.is_ready(node) or node in self.node_names(hidden=True)
 
+        end = deadline(max(graph.DISCOVERY_SEC, at_least_sec))
         try:
-            return graph.wait_for(is_known, at_least_sec)
+            waiting.wait(lambda: is_known() or self._gives_up(node, end), math.inf)
+            return is_known()
         except NodeNotFoundError:  # this cannot be the name of any node
             return False
+
+    def _gives_up(self, node: str, end: float) -> bool:
+        """True if a search for a node, or for a service of it, has taken long enough.
+
+        :param end: Until when it goes on in any case.
+        """
+        now = time.monotonic()
+        # Where there are no other processes, all nodes are known at once.
+        return now > end and (now > self._newcomer_until or not host.host.has_processes
+                              or node in self.node_names(hidden=True))
+
+    def _absence(self, node: str, service: str) -> NodeError:
+        if node in self.node_names(hidden=True):
+            return NoServiceError(node, service)
+        return NodeNotFoundError(node, self.node_names(), on_network=not domain.is_limited_to_this_host())
 
     def graph_changed(self, before: graph.Incarnations, now: graph.Incarnations) -> None:
         """Take note that nodes came, went or were replaced; the executor's thread calls this.
