@@ -67,6 +67,7 @@ WRONG = [
     (('-p', 'a'), "Couldn't parse parameter override rule: '-p a'. Error: Expected lexeme type (22) not found"),
     (('-p', 'a:='), "Couldn't parse parameter override rule: '-p a:='. Error: error not set"),
     (('-p', 'a:={b: 1}'), "Couldn't parse parameter override rule: '-p a:={b: 1}'. Error: Unknown YAML event"),
+    (('-p', 'a:=[b:c]'), "Couldn't parse parameter override rule: '-p a:=[b:c]'. Error: Error parsing an event"),
     (('-p', 'a:=[1'), "Couldn't parse parameter override rule: '-p a:=[1'. Error: Error parsing an event"),
     (('-p', 'a:=[1, x]'), "Couldn't parse parameter override rule: '-p a:=[1, x]'. Error: "),
     (('-p',), "Couldn't parse trailing -p flag. No parameter override rule found."),
@@ -106,7 +107,10 @@ def test_rejected_arguments_of_one_node(ros, words, why):
     ('a: {ros__parameters: {b: &x 1, c: *x}}\n', 'Will not support aliasing at line 1'),
     ('a: {ros__parameters: {[b]: 1}}\n', 'Sequences cannot be key at line 1, at '),
     ('a: [ros__parameters]\n', 'Sequences can only be values and not keys in params. Error at line 1'),
-    ('a: {ros__parameters: {b: "1}}\n', 'Error parsing a event near line 1, at ')])
+    ('a: {ros__parameters: {b: "1}}\n', 'Error parsing a event near line 1, at '),
+    ('a:\n  ros__parameters: {b: 12:30}\n', 'Error parsing a event near line 2, at '),
+    ('a: {ros__parameters:\n    {b: "x:y", c: [d?]}}\n', 'Error parsing a event near line 2, at '),
+    ('%YAML 1.2\n--- {a: {ros__parameters: {b: 1}}}\n', 'Error parsing a event near line 1, at ')])
 def test_why_a_file_is_rejected(tmp_path, text, why):
     (tmp_path / 'file.yaml').write_text(text)
     with pytest.raises(layer.RCLError) as raised:

@@ -45,9 +45,13 @@ def test_the_terminal(ros, capfd):
     capfd.readouterr()
     logger.debug('not enabled')
     logger.info('two\nlines {name} %d')
+    logger.info(None)
+    with pytest.raises(TypeError):
+        logger.info(5)
     out, err = capfd.readouterr()
     assert out == ''
-    assert re.fullmatch(r'\[INFO\] \[\d+\.\d{9}\] \[ns\.node\]: two\nlines \{name\} %d\n', err)
+    begin = r'\[INFO\] \[\d+\.\d{9}\] \[ns\.node\]: '
+    assert re.fullmatch(rf'{begin}two\nlines \{{name\}} %d\n{begin}\(null\)\n', err)
 
 
 def test_rosout(ros):

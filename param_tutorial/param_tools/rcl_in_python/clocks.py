@@ -203,13 +203,13 @@ class Timer(Destroyable):
         return self.is_ready()
 
     def call_timer(self) -> None:
-        """Note that it has been called, and when it is due next: the first time of its beat that is to come."""
+        """Note that it has been called, and when it is due next: the first time of its beat after now."""
         if self._is_canceled:
             raise RCLError('failed to call timer: timer is canceled')
         self._last = now = self._clock.now_ns()
         self._next += self._period
-        if self._next < now:
-            self._next = now + (self._next - now) % self._period if self._period else now
+        if self._next <= now:
+            self._next = now + self._period - (now - self._next) % self._period if self._period else now
 
     def reset_timer(self) -> None:
         with changed:

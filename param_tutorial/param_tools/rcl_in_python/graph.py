@@ -174,7 +174,7 @@ class Domain:
             namesakes = [each for each in list(self.endpoints) if each.topic == new.topic]
             for other in namesakes:
                 if other.node.context is new.node.context and not _have_one_type(new, other):
-                    raise TopicTypeError(f'called for existing topic name {new.topic} with incompatible type '
+                    raise TopicTypeError(f'topic name {new.topic} with incompatible type '
                                          f'{messages.dds_name(new.message_type)}')
             for other in namesakes:
                 if other.is_writer != new.is_writer:

@@ -145,7 +145,12 @@ def rclpy_logging_get_logging_directory() -> str:
 
 # -- messages -------------------------------------------------------------------------------------------------
 
-def rclpy_logging_rcutils_log(severity: int, name: str, message: str, function: str, file: str, line: int) -> None:
+def rclpy_logging_rcutils_log(severity: int, name: str, message: str | None, function: str, file: str, line: int,
+                              ) -> None:
+    if message is None:
+        message = '(null)'  # as C prints it
+    elif not isinstance(message, str):
+        raise TypeError(f'rclpy_logging_rcutils_log(): incompatible function arguments: the message is {message!r}')
     if not rclpy_logging_logger_is_enabled_for(name, severity):
         return
     record = Record(int(severity), name, message, function, file, line, time.time_ns())

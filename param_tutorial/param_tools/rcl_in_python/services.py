@@ -6,7 +6,7 @@ from typing import Any
 from param_tools.rcl_in_python import names, qos
 from param_tools.rcl_in_python.exceptions import NotImplementedError as NotImplementedErrorOfROS
 from param_tools.rcl_in_python.exceptions import RCLError
-from param_tools.rcl_in_python.graph import Reader, Sample, Writer, dds_service
+from param_tools.rcl_in_python.graph import Reader, Sample, TopicTypeError, Writer, dds_service
 from param_tools.rcl_in_python.messages import TooLongError, copy
 from param_tools.rcl_in_python.nodes import Node
 from param_tools.rcl_in_python.topics import Given
@@ -34,23 +34,31 @@ class rmw_service_info_t:
 class _ServiceEnd(Destroyable):
     """A writer and a reader."""
 
+    what: str
     reader: Reader
     writer: Writer
 
-    def __init__(self, node: Node, name: str, what: str, invalid: str):
+    def __init__(self, node: Node, name: str, invalid: str):
         self.node = node
-        node.check_valid(f'failed to create {what}')
+        node.check_valid(f'failed to create {self.what}')
         try:
             self._name = node.resolve(name, 'service')
         except names.InvalidNameError as error:
-            raise ValueError(f"failed to create {what} due to invalid {invalid} name '{name}': {error}") from None
+            raise ValueError(f"failed to create {self.what} due to invalid {invalid} name '{name}': {error}") from None
 
-    def _join(self, sent: type, sent_topic: str, received: type, received_topic: str, profile: qos.Profile) -> None:
+    def _join(self, service_type: Any, requests: type, replies: type, profile: qos.Profile) -> tuple[Any, Any]:
+        """Create the two ends, each a Reader or a Writer, and return them."""
         domain, entry = self.node.context.domain, self.node.entry
+        topic_of_requests, topic_of_replies = dds_service(self._name)
         with changed:
-            self.reader = Reader(domain, entry, received_topic, received, profile)
-            self.writer = Writer(domain, entry, sent_topic, sent, profile)
+            try:
+                ends = (requests(domain, entry, topic_of_requests, service_type.Request, profile),
+                        replies(domain, entry, topic_of_replies, service_type.Response, profile))
+            except TopicTypeError as error:
+                raise RCLError(f'failed to create {self.what}: create_{self.what}() called for existing request {error}'
+                               ) from None
             Destroyable.__init__(self)
+        return ends
 
     def _destroy(self) -> None:
         self.reader.leave()
@@ -80,11 +88,12 @@ def _send(what: str, writer: Writer, message: Any, header: rmw_request_id_t, to:
 class Service(_ServiceEnd):
     """Answers requests."""
 
+    what = 'service'
+
     def __init__(self, node: Node, service_type: Any, name: str, profile: Given):
-        super().__init__(node, name, 'service', 'topic')
+        super().__init__(node, name, 'topic')
         self._profile = qos.profile_of(profile)
-        requests, replies = dds_service(self._name)
-        self._join(service_type.Response, replies, service_type.Request, requests, self._profile)
+        self.reader, self.writer = self._join(service_type, Reader, Writer, self._profile)
 
     @property
     def name(self) -> str:
@@ -108,10 +117,11 @@ class Service(_ServiceEnd):
 class Client(_ServiceEnd):
     """Sends requests."""
 
+    what = 'client'
+
     def __init__(self, node: Node, service_type: Any, name: str, profile: Given):
-        super().__init__(node, name, 'client', 'service')
-        requests, replies = dds_service(self._name)
-        self._join(service_type.Request, requests, service_type.Response, replies, qos.profile_of(profile))
+        super().__init__(node, name, 'service')
+        self.writer, self.reader = self._join(service_type, Writer, Reader, qos.profile_of(profile))
         self._sent = 0
 
     @property

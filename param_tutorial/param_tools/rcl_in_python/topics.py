@@ -31,7 +31,7 @@ class _TopicEnd(Destroyable):
             self.endpoint = kind(self.node.context.domain, self.node.entry, dds_topic(self._topic, profile),
                                  message_type, profile)
         except TopicTypeError as error:
-            raise RCLError(f'Failed to create {self.what}: create_{self.what}() {error}') from None
+            raise RCLError(f'Failed to create {self.what}: create_{self.what}() called for existing {error}') from None
         Destroyable.__init__(self)
         return self.endpoint
 
