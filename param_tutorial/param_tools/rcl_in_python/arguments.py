@@ -34,7 +34,23 @@ class InvalidArgumentsError(Exception):
 
 
 class Overrides(Parser):
-    """The parameters of files, and of ``-p``, in the order in which they were given."""
+    """The parameters of files, and of ``-p``, in the order in which they were given.
+
+    YAML is read as by libyaml 0.1.7, which the wheels of rclpy have: in brackets and braces, a text that holds a colon
+    or a question mark needs quotes. ROS has 0.2.5 on Ubuntu 24.04, which takes it without, and YAML 1.2 too.
+    """
+
+    _depth_in_brackets = 0
+
+    def _handle(self, event: yaml.Event, place: Place) -> None:
+        if isinstance(event, yaml.CollectionStartEvent):
+            self._depth_in_brackets += bool(event.flow_style)
+        elif isinstance(event, yaml.CollectionEndEvent):
+            self._depth_in_brackets -= bool(self._depth_in_brackets)
+        elif (isinstance(event, yaml.ScalarEvent) and self._depth_in_brackets and event.style not in ("'", '"')
+              and re.search('[:?]', event.value)) or getattr(event, 'version', None) not in (None, (1, 1)):
+            raise yaml.MarkedYAMLError(problem='unexpected character', problem_mark=event.start_mark)  # type: ignore[arg-type]
+        super()._handle(event, place)
 
     def override(self, node: str, name: str, text: str) -> None:
         """Read the value of one parameter.
@@ -69,7 +85,8 @@ class _Remap:
     to: str
 
 
-def _parse_remap(text: str) -> _Remap | None:
+def parse_remap(text: str) -> _Remap | None:
+    """Return the rule that a text is, None if it is none."""
     found = _REMAP.fullmatch(text)
     if found is None:
         return None
@@ -143,7 +160,7 @@ def parse(words: Sequence[str]) -> Arguments:
             is_ros = False
         elif is_ros:
             _parse_ros_word(arguments, word, rest)
-        elif rule := _parse_remap(word):
+        elif rule := parse_remap(word):
             logs.warn('rcl', f"Found remap rule '{word}'. This syntax is deprecated. Use '--ros-args --remap {word}' "
                              f'instead.')
             arguments.remaps.append(rule)
@@ -179,7 +196,7 @@ def _take_override(arguments: Arguments, flag: str, text: str) -> None:
 
 
 def _take_remap(arguments: Arguments, flag: str, text: str) -> None:
-    rule = _parse_remap(text)
+    rule = parse_remap(text)
     if rule is None:
         raise InvalidArgumentsError(f"Couldn't parse remap rule: '{flag} {text}'. Error: {_why_no_rule(text, 19)}")
     arguments.remaps.append(rule)
