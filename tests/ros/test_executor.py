@@ -46,8 +46,10 @@ def test_a_second_node_of_the_same_class_replaces_the_first(ros):
 
 def test_remapped_and_namespaced_nodes_are_known_by_their_real_names(ros):
     ros.add(Speed, ros_args=['-r', '__node:=fast', '-r', '__ns:=/left'])
-    ros.add(Speed, ros_args=['-r', '__node:=fast', '-r', '__ns:=/left'])
+    # Rules for one node, and of two for the same thing the first one counts.
+    ros.add(Speed, ros_args=['-r', 'speed:__node:=fast', '-r', '__node:=other', '--remap', 'fast:__ns:=/left'])
     ros.add(Speed, 'slow')
+    assert len(ros.nodes) == 2
     assert ros.services.node_names() == ['/left/fast', '/slow']
 
 

@@ -1,7 +1,7 @@
 """A ROS domain for each process, so that two learners on one machine do not meet. No ROS, no Jupyter.
 
 DDS keeps domains apart by UDP port numbers. Nothing in ROS hands domains out: processes that use the same
-number are in the same graph, and two nodes of one name in one graph both obey every ``param set``.
+number are in the same graph, and two nodes of one name in one graph may both obey a ``param set``.
 """
 
 import os

@@ -35,6 +35,7 @@ from rclpy.subscription import Subscription
 from rclpy.timer import Timer
 
 from param_tools.errors import ExecutorError, StuckError
+from param_tools.rcl_in_python.arguments import Arguments, parse_remap, remapped
 from param_tools.ros import domain, host, interrupts, no_input, rclpy_private, tutorial_lines
 from param_tools.ros.graph import Incarnations, incarnations, nodes_in_graph
 from param_tools.ros.listeners import Listeners
@@ -254,16 +255,12 @@ class BackgroundExecutor:
         """Destroy the node whose name a node is about to get, and pass that one its ros_args.
 
         A node's name is known only when its constructor calls that of Node. Two nodes of one name must never exist at
-        once: both would obey every set, and the second would log nothing.
+        once: either or both would obey a set, and the second would log nothing.
         """
         options['cli_args'] = [*(options.get('cli_args') or ()), *(['--ros-args', *ros_args] if ros_args else [])]
-        name, namespace = node_name, options.get('namespace') or '/'
-        for argument in options['cli_args']:
-            key, separator, value = argument.partition(':=')
-            if separator and key in ('__node', '__name'):
-                name = value
-            elif separator and key == '__ns':
-                namespace = value
+        rules = Arguments([rule for word in options['cli_args'] if (rule := parse_remap(word))])
+        name = remapped([rules], 'name', node_name, node_name, '')
+        namespace = remapped([rules], 'namespace', options.get('namespace') or '', name, '')
         self.remove(f'/{namespace.strip("/")}/{name}'.replace('//', '/'))
 
     def remove(self, node: Node | str) -> bool:
