@@ -77,7 +77,8 @@ PREDICTIONS = (
                '`ros2 param set` sets the speed to 70. Which of them obeys?', (
         wrong('The one that started last', 'The second node does not take over the name. Both have it, and both offer '
               'the service.'),
-        wrong('The one that answers first', 'That decides which answer the command prints. The request has reached '
-              'both.'),
-        right('Both', 'A request goes to a name, and both nodes serve it. The command prints one answer.'))),
+        wrong('Both, in any case', 'Both do if the command has found both. It sends the request as soon as it has '
+              'found one.'),
+        right('One of them, or both', 'The request reaches the nodes that the command has found, and it waits for one '
+              'only. It prints the answer that comes first.'))),
 )
