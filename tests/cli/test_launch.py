@@ -261,9 +261,12 @@ def test_arguments_are_shown_and_checked(launch_file):
         assert why in (err if 'malformed' in why else out)  # before the launch begins, or in it
 
 
-def test_mistakes_have_a_sentence(launch_file):
+def test_mistakes_have_a_sentence(launch_file, monkeypatch, tmp_path):
     assert 'was not found in the share directory of package' in launch('param_tutorial', 'no_launch.py')[1]
-    assert launch('nobody', 'no_launch.py')[1].startswith("Package 'nobody' not found: \"package 'nobody' not found")
+    with monkeypatch.context() as changed:
+        changed.setenv('AMENT_PREFIX_PATH', str(tmp_path))
+        assert launch('nobody', 'no_launch.py')[1] == (
+            f"Package 'nobody' not found: \"package 'nobody' not found, searching: ['{tmp_path}']\"\n")
     assert 'in a terminal: ros2 launch param_tutorial simple_param_launch.py; or' in launch(
         'param_tutorial', 'simple_param_launch.py')[1]
     path = launch_file("        Node(package='param_tutorial', executable='nope')")

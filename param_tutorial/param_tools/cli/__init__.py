@@ -8,14 +8,15 @@ byte, as 61 recordings in tests/cli/transcripts have it, the others as its sourc
 - ``param set`` keeps the text that was typed where the genuine command breaks on it (``@at``, ``a: b``, a date), and
   ``param dump`` writes a parameter ``a.b`` under its full name if there is an ``a``, too.
 - A call that the node never answers ends with a sentence after some seconds, instead of never. "Node not found" is said
-  only when discovery has finished. There is no daemon, and simulated time makes no difference.
+  only when discovery has finished. There is no daemon, which ``node list -a`` would show, and simulated time makes no
+  difference.
 - ``run`` and ``launch`` find provided packages (``ros.environment``) without a build, and a notebook's cell rejects a
   command that would keep it busy. ``run`` passes SIGTERM on to its program.
 - ``pkg create`` writes Python packages only, and no LICENSE.
 - ``launch`` reads files in Python, XML and YAML, with what ``launch/reading.py`` and ``launch/markup.py`` list: what
   602 launch files of 24 public repositories use. It rejects the use of anything else by its name, and it starts no
   components, timers and event handlers, which ``check --launch`` reads. It works out everything before it starts the
-  first program, and keeps no log files.
+  first program, and keeps no log files. What is wrong with a file it says in its own words.
 - The commands that the genuine one has not follow its conventions.
 - Of other commands, verbs and options, a usage error says that the genuine ros2 has more.
 

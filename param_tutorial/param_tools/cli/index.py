@@ -40,7 +40,8 @@ def share_folder_of(package: str) -> Path:
 
     :raises PackageNotFound: there is no such package.
     """
-    with _not_found(), provided_packages_installed():
+    # The error says where was searched, and should name no folder that nobody knows.
+    with _not_found(), provided_packages_installed() if package in provided() else contextlib.nullcontext():
         return Path(get_package_share_directory(package))
 
 
