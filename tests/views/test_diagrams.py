@@ -5,6 +5,7 @@ import re
 import pytest
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, ParameterEvent, SetParametersResult
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 from rclpy.qos import DurabilityPolicy, QoSProfile
 
 import param_tutorial
@@ -239,6 +240,20 @@ def test_a_listener_gets_the_message_as_the_qos_allows_that_is_chosen_for_it(ros
     choose(view, ['/ears', 'durability', 'transient local'])
     assert '/ears (asks for reliable, transient local) subscribes and' in view.text and ears.heard == ['speed']
     assert '/nobody' in choose(view, ['/nobody', 'durability', 'volatile']).problem
+
+
+def test_a_late_declaration_is_not_the_message(robot):
+    publisher = robot.create_publisher(ParameterEvent, '/parameter_events', 10)
+    wait_until(publisher.get_subscription_count, 'a subscription')
+
+    late = ParameterEvent(node='/robot', new_parameters=[Parameter('speed', value=1).to_parameter_msg()])
+
+    def declare_late(_):
+        publisher.publish(late)
+        return SetParametersResult(successful=True)
+
+    robot.add_on_set_parameters_callback(declare_late)
+    assert views.MessageView(robot, 'speed', 5).text.endswith('It says: changed speed = 5.')
 
 
 def test_a_rejected_value_sends_no_message(robot):

@@ -55,7 +55,9 @@ class MessageView(PictureView):
 
         def hear(event: ParameterEvent) -> None:
             changes = changes_in(event)
-            if event.node == sender and self._name in {each.name for each in changes}:
+            # What the node declared a moment ago may come now, too.
+            if event.node == sender and any(
+                    each.name == self._name and (each.kind != 'new' or each.value == self._value) for each in changes):
                 heard.append(changes)
 
         publishers, offers, subscribers = ends_of_parameter_events(ros.tool_node)
