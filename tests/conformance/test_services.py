@@ -1,9 +1,7 @@
 """Services and clients: requests, answers, several of each, and what goes wrong."""
 
-import pytest
 from rcl_interfaces.msg import ParameterValue
 from rcl_interfaces.srv import GetParameters
-from rclpy.impl.implementation_singleton import rclpy_implementation as layer
 
 
 def number_of_names(request, response):
@@ -53,14 +51,3 @@ def test_a_request_to_nobody_is_lost(ros):
     assert ros.result(client.call_async(GetParameters.Request())).values[0].integer_value == 0
     assert not lost.done()
     client.remove_pending_request(lost)
-
-
-def test_a_service_has_one_type_in_a_context(ros):
-    node = ros.node()
-    name = 'node/set_parameters'
-    for create in (lambda: node.create_client(GetParameters, name),
-                   lambda: node.create_service(GetParameters, name, number_of_names)):
-        with pytest.raises(layer.RCLError, match=(
-                r'failed to create (\w+): create_\1\(\) called for existing request topic name rq/node/'
-                'set_parametersRequest with incompatible type rcl_interfaces::srv::dds_::GetParameters_Request_')):
-            create()

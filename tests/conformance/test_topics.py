@@ -10,6 +10,7 @@ from rcl_interfaces.msg import (
     ParameterValue,
     SetParametersResult,
 )
+from rcl_interfaces.srv import GetParameters
 from rclpy.duration import Duration
 from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.impl.implementation_singleton import rclpy_implementation as layer
@@ -112,12 +113,17 @@ def test_incompatible_quality_of_service(ros, node, offered, requested, policy):
     assert qos_check_compatible(offered, requested)[0] == QoSCompatibility.ERROR
 
 
-def test_a_topic_has_one_type_in_a_context(node):
+def test_a_topic_and_a_service_have_one_type_in_a_context(node):
     node.create_publisher(Time, 'topic', 1)
     with pytest.raises(layer.RCLError):
         node.create_publisher(Log, 'topic', 1)
     with pytest.raises(layer.RCLError):
         node.create_subscription(Log, 'topic', print, 1)
+    for create in (node.create_client, lambda *given: node.create_service(*given, print)):
+        with pytest.raises(layer.RCLError, match=(
+                r'failed to create (\w+): create_\1\(\) called for existing request topic name rq/node/'
+                'set_parametersRequest with incompatible type rcl_interfaces::srv::dds_::GetParameters_Request_')):
+            create(GetParameters, 'node/set_parameters')
 
 
 @pytest.mark.parametrize('message', [

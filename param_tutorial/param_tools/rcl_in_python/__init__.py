@@ -8,4 +8,10 @@ It is for places where the real one cannot be, such as a page in a browser. Ther
 ``rclpy.get_rmw_implementation_identifier()`` says ``rclpy_in_python_without_network``, and so does the stage when it is
 shown. The judge is the real one: tests of rclpy's behavior run on both (tests/conformance), and rclpy's own
 tests run on this (tests/README.md).
+
+Actions, lifecycle nodes, service introspection and the EventsExecutor raise NotImplementedError. Without an error,
+these differ: no event reports a missed deadline or a loss of liveliness; types have no hash and no description;
+messages as bytes are Python's own; logs have no files, colors or lines of rcl's own; a rejection names no file of
+rcl's C code, and of ``-p`` and ``-r`` not always rcl's reason; a domain above 232 is rejected at once; and after a
+shutdown in another thread, Ctrl+C is still rclpy's.
 """

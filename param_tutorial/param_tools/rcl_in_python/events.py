@@ -1,7 +1,8 @@
 """What a publisher or subscription is told about the other end: matched, incompatible, gone.
 
 A status counts since the endpoint was made, and what has changed since somebody took it. An event is ready if something
-has changed. Deadlines and lost messages are never reported: in one process nothing comes late, and nothing gets lost.
+has changed. A missed deadline and a loss of liveliness are never reported, though a publisher may stop: nobody watches
+the time. Nor is a lost message: none gets lost on its way.
 """
 
 import copy

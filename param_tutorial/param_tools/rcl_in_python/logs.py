@@ -20,7 +20,6 @@ SEPARATOR = '.'
 _PREFIX = 'RCUTILS_LOG_SEVERITY_'
 _LEVELS = {each.name.removeprefix(_PREFIX): int(each) for each in SEVERITY}
 _NAMES = {level: name for name, level in _LEVELS.items()}
-_COLORS = {'DEBUG': '\033[32m', 'INFO': '\033[0m', 'WARN': '\033[33m', 'ERROR': '\033[31m', 'FATAL': '\033[31m'}
 _FORMAT = '[{severity}] [{time}] [{name}]: {message}'
 
 
@@ -46,7 +45,6 @@ class State:
     levels: dict[str, int] = field(default_factory=dict)
     format: str = field(default_factory=lambda: os.environ.get('RCUTILS_CONSOLE_OUTPUT_FORMAT') or _FORMAT)
     uses_stdout: bool = field(default_factory=lambda: os.environ.get('RCUTILS_LOGGING_USE_STDOUT') == '1')
-    colors: str = field(default_factory=lambda: os.environ.get('RCUTILS_COLORIZED_OUTPUT', ''))
 
 
 @dataclass
@@ -174,10 +172,7 @@ def _write(record: Record) -> None:
     stream = sys.stdout if state.uses_stdout else sys.stderr
     if stream is None:
         return
-    text = _formatted(record)
-    if state.colors == '1' or (state.colors != '0' and stream.isatty()):
-        text = f'{_COLORS[_NAMES[record.severity]]}{text}\033[0m'
-    stream.write(text + '\n')
+    stream.write(_formatted(record) + '\n')
     stream.flush()
 
 

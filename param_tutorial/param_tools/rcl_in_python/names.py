@@ -1,7 +1,6 @@
 """Names of topics and services: what is wrong with one, and what a short one stands for.
 
-Texts and positions are those of rmw's and rcl's validators, as in ``files.node_names``, and a test compares both on
-thousands of names.
+Texts and positions are those of rmw's and rcl's validators, as in ``files.node_names``.
 """
 
 import re

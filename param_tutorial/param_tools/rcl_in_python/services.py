@@ -34,20 +34,19 @@ class rmw_service_info_t:
 class _ServiceEnd(Destroyable):
     """A writer and a reader."""
 
-    what: str
     reader: Reader
     writer: Writer
 
-    def __init__(self, node: Node, name: str, invalid: str):
+    def __init__(self, node: Node, name: str, what: str, invalid: str):
         self.node = node
-        node.check_valid(f'failed to create {self.what}')
+        node.check_valid(f'failed to create {what}')
         try:
             self._name = node.resolve(name, 'service')
         except names.InvalidNameError as error:
-            raise ValueError(f"failed to create {self.what} due to invalid {invalid} name '{name}': {error}") from None
+            raise ValueError(f"failed to create {what} due to invalid {invalid} name '{name}': {error}") from None
 
-    def _join(self, service_type: Any, requests: type, replies: type, profile: qos.Profile) -> tuple[Any, Any]:
-        """Create the two ends, each a Reader or a Writer, and return them."""
+    def _join(self, what: str, service_type: Any, requests: type, replies: type, profile: qos.Profile,
+              ) -> tuple[Any, Any]:
         domain, entry = self.node.context.domain, self.node.entry
         topic_of_requests, topic_of_replies = dds_service(self._name)
         with changed:
@@ -55,8 +54,8 @@ class _ServiceEnd(Destroyable):
                 ends = (requests(domain, entry, topic_of_requests, service_type.Request, profile),
                         replies(domain, entry, topic_of_replies, service_type.Response, profile))
             except TopicTypeError as error:
-                raise RCLError(f'failed to create {self.what}: create_{self.what}() called for existing request {error}'
-                               ) from None
+                raise RCLError(
+                    f'failed to create {what}: create_{what}() called for existing request {error}') from None
             Destroyable.__init__(self)
         return ends
 
@@ -88,12 +87,10 @@ def _send(what: str, writer: Writer, message: Any, header: rmw_request_id_t, to:
 class Service(_ServiceEnd):
     """Answers requests."""
 
-    what = 'service'
-
     def __init__(self, node: Node, service_type: Any, name: str, profile: Given):
-        super().__init__(node, name, 'topic')
+        super().__init__(node, name, 'service', 'topic')
         self._profile = qos.profile_of(profile)
-        self.reader, self.writer = self._join(service_type, Reader, Writer, self._profile)
+        self.reader, self.writer = self._join('service', service_type, Reader, Writer, self._profile)
 
     @property
     def name(self) -> str:
@@ -117,11 +114,9 @@ class Service(_ServiceEnd):
 class Client(_ServiceEnd):
     """Sends requests."""
 
-    what = 'client'
-
     def __init__(self, node: Node, service_type: Any, name: str, profile: Given):
-        super().__init__(node, name, 'service')
-        self.writer, self.reader = self._join(service_type, Writer, Reader, qos.profile_of(profile))
+        super().__init__(node, name, 'client', 'service')
+        self.writer, self.reader = self._join('client', service_type, Writer, Reader, qos.profile_of(profile))
         self._sent = 0
 
     @property
