@@ -160,9 +160,75 @@ def test_a_value_that_another_file_overrides_is_found_where_a_person_wrote_it(la
     path.write_text(LAUNCH.replace(
         "{'max_speed_rpm': LaunchConfiguration('speed')}", "'/nowhere/x.yaml'"))
     stdout, _, status = check(path)
-    assert f'{path}:1:1: unreadable: Parameter file path is not a file: /nowhere/x.yaml\n' in stdout
+    assert f'{path}:21:1: unreadable: Parameter file path is not a file: /nowhere/x.yaml\n' in stdout
     assert f'  use_sim_time: False  {lab}/robot.yaml:1\n' in stdout
     assert status == 1
+
+
+PLACES = {
+    'rates_launch.py': '''
+import yaml
+from launch import LaunchDescription
+from launch_ros.actions import Node, SetParameter
+
+# The rate is in Hz.
+def robot(name, rate):
+    return Node(package='p', executable='robot', namespace='', name=name,
+                parameters=[{'rate': rate, 'size.width': 1}, {'size': {
+                    'depth': 2}}])
+
+
+def generate_launch_description():
+    loaded = yaml.safe_load('{speed: 1}')
+    return LaunchDescription([
+        SetParameter('debug', True), robot('left', 10.0), robot('right', 'fast'),
+        Node(package='p', executable='robot', namespace='', name='third', parameters=[
+            loaded, {'rate': 3.0}])])
+''',
+    'rates_launch.xml': '''<launch>
+  <!-- the rate is in Hz -->
+  <node pkg="p" exec="robot" name="left" namespace=""><param name="rate" value="1.0"/>
+    <param name="size" value="1"/></node>
+  <set_parameter name="debug" value="true"/>
+  <node pkg="p" exec="robot" name="right" namespace="">
+    <param name="rate" value="fast"/></node>
+  <include file="rates_launch.yaml"/>
+</launch>
+''',
+    'rates_launch.yaml': '''launch:
+- let: {name: rate, value: '5'}
+- node:
+    pkg: p
+    exec: robot
+    name: third
+    namespace: ''
+    param:
+    - {name: size, value: 3}
+    - name: rate
+      value: $(var rate)
+''',
+}
+
+
+@pytest.mark.parametrize(('file', 'places'), [
+    ('rates_launch.py', {'/left debug': 16, '/left rate': 9, '/left size.width': 9, '/left size.depth': 10,
+                         '/right debug': 16, '/right rate': 9, '/right size.width': 9, '/right size.depth': 10,
+                         '/third debug': 16, '/third speed': 17, '/third rate': 18}),
+    ('rates_launch.xml', {'/left rate': 3, '/left size': 4, '/right debug': 5, '/right rate': 7, '/third debug': 5,
+                          '/third rate': 'rates_launch.yaml:10', '/third size': 'rates_launch.yaml:9'}),
+])
+def test_check_launch_names_the_line_that_sets_a_value(tmp_path, monkeypatch, file, places):
+    monkeypatch.chdir(tmp_path)
+    for name, content in PLACES.items():
+        (tmp_path / name).write_text(content)
+    found, node = {}, ''
+    for line in check(file)[0].replace(f'{tmp_path}/', '').splitlines():
+        words = line.split()
+        if line.startswith('/'):
+            node = words[0]
+        else:
+            found[f'{node} {words[0].rstrip(":")}'] = words[-1]
+    assert found == {name: place if isinstance(place, str) else f'{file}:{place}' for name, place in places.items()}
 
 
 def test_a_file_that_holds_nothing_for_the_node_that_gets_it_is_found(lab):

@@ -39,6 +39,7 @@ class FileFinding:
 
     file: str
     line: int
+    """0 if only the file is known, and then so is the column."""
     column: int
     kind: str
     """One of KINDS."""
@@ -54,7 +55,8 @@ class FileFinding:
         return KINDS[self.kind]
 
     def __str__(self) -> str:
-        return f'{self.file}:{self.line}:{self.column}: {self.kind}: {self.message}'
+        place = f'{self.file}:{self.line}:{self.column}' if self.line else self.file
+        return f'{place}: {self.kind}: {self.message}'
 
 
 class Findings(tuple[FileFinding, ...]):
@@ -72,7 +74,7 @@ class Findings(tuple[FileFinding, ...]):
     def as_github(self) -> str:
         """Return commands that make GitHub Actions annotate the lines."""
         return '\n'.join(
-            f'::{each.severity} file={_property(each.file)},line={each.line},col={each.column},'
+            f'::{each.severity} file={_property(each.file)},line={each.line or 1},col={each.column or 1},'
             f'title={_property(each.kind)}::{_data(each.message)}' for each in self)
 
     def __repr__(self) -> str:

@@ -7,12 +7,12 @@ mistake anywhere in a launch file leaves nothing running.
 import contextlib
 import shlex
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from param_tools.cli.launch.conditions import Condition
-from param_tools.cli.launch.context import Context, LaunchFailed
+from param_tools.cli.launch.context import Context, LaunchFailed, Origin, written_here
 from param_tools.cli.launch.importing import read, running
 from param_tools.cli.launch.processes import Program
 from param_tools.cli.launch.substitutions import expect_string, is_list, perform, typed_bool
@@ -41,6 +41,8 @@ class Action:
     """An entry of a launch description."""
 
     condition: Condition | None = None
+    origin: Origin | None = field(default_factory=written_here, init=False, compare=False, repr=False)
+    """Where it is written."""
 
     def visit(self, context: Context) -> list[Program]:
         """Carry out the action if its condition is true, and return the programs to start."""

@@ -4,15 +4,37 @@ import contextlib
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, MutableMapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, NoReturn
+from types import FrameType
+from typing import Any, NamedTuple, NoReturn
 
 from param_tools.cli.index import PackageNotFound
 from param_tools.cli.run import ProgramNotFound, find_program
 from param_tools.cli.session import CommandFailed
+
+# Whose lines no author of a launch file knows.
+PACKAGE = Path(__file__).parents[2]
+
+
+class Origin(NamedTuple):
+    """Where a person has written what launch hands on."""
+
+    file: Path
+    line: int | None
+    """None if it is the same as in what launch has made of the file."""
+
+
+def written_here() -> Origin | None:
+    """Return the line of a launch file in Python that is being carried out; None if there is none."""
+    frame: FrameType | None = sys._getframe(1)
+    while frame is not None and (frame.f_code.co_filename.startswith('<')
+                                 or PACKAGE in Path(frame.f_code.co_filename).parents):
+        frame = frame.f_back
+    return None if frame is None else Origin(Path(frame.f_code.co_filename), frame.f_lineno)
 
 
 class LaunchFailed(CommandFailed):
@@ -50,8 +72,9 @@ class Context:
     """The environment variables: those of this process, which launch files in Python change, too."""
     environment_before: Mapping[str, str] = field(default_factory=lambda: dict(os.environ))
     """The environment variables before the launch file was carried out."""
-    originals: dict[Path, Path] = field(default_factory=dict)
-    """For each parameter file whose substitutions were carried out, the file that holds them."""
+    origins: dict[str, Origin] = field(default_factory=dict)
+    """For the path of each parameter file that launch writes, each word after ``-p`` and each warning, where it comes
+    from."""
     postponed: list[Sequence[Any]] = field(default_factory=list)
     """In a rehearsal, the actions of timers and event handlers."""
 
@@ -71,11 +94,16 @@ class Context:
                 self.environment.clear()
                 self.environment.update(environment)
 
-    def write(self, text: str) -> Path:
-        """Write a parameter file, and return its path."""
+    def write(self, text: str, origin: Origin | None) -> Path:
+        """Write a parameter file, and return its path.
+
+        :param origin: Where its content comes from, if that is known.
+        """
         with tempfile.NamedTemporaryFile('w', prefix='launch_params_', dir=self.folder, delete=False,
                                          encoding='utf-8') as file:
             file.write(text)
+        if origin is not None:
+            self.origins[file.name] = origin
         return Path(file.name)
 
     # -- what a rehearsal does otherwise ------------------------------------------------------------------------------

@@ -12,15 +12,13 @@ from types import ModuleType
 from typing import Any
 
 from param_tools.cli.index import provided_packages_installed
-from param_tools.cli.launch.context import LaunchFailed, reject
+from param_tools.cli.launch.context import PACKAGE, LaunchFailed, reject
 from param_tools.cli.session import CommandFailed
 
 # The modules, and the names in each, that a launch file may import and use.
 MODULES: dict[str, Mapping[str, Any]] = {}
 # What reads a launch file and returns its description, by the end of the file's name.
 READERS: dict[str, Callable[[Path], Any]] = {}
-# Whose lines no author of a launch file knows.
-_PACKAGE = Path(__file__).parents[2]
 
 
 def read(path: Path) -> Any:
@@ -62,7 +60,7 @@ def _explanation(error: Exception, what: str) -> str:
 def _place(error: Exception) -> str:
     """Return the line of the launch file that has raised an exception; empty if the message says it, as of a typo."""
     lines = [each for each in traceback.extract_tb(error.__traceback__)
-             if not Path(each.filename).is_relative_to(_PACKAGE)]
+             if not Path(each.filename).is_relative_to(PACKAGE)]
     own = [each for each in lines if each.filename == lines[0].filename]
     return f' ({Path(own[-1].filename).name}, line {own[-1].lineno})' if own else ''
 

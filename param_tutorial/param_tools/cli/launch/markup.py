@@ -4,15 +4,15 @@ import shlex
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any, List, get_args  # noqa: UP035  # as the types of parameters are written
-from xml.etree import ElementTree
+from xml.parsers import expat
 
 import yaml
 
 from param_tools.cli.launch import actions, ros_actions
 from param_tools.cli.launch.actions import Action, LaunchDescription
 from param_tools.cli.launch.conditions import IfCondition, UnlessCondition
-from param_tools.cli.launch.context import LaunchFailed, reject
-from param_tools.cli.launch.parameters import ParameterFile, ParameterValue
+from param_tools.cli.launch.context import LaunchFailed, Origin, reject
+from param_tools.cli.launch.parameters import ParameterFile, Parameters, ParameterValue
 from param_tools.cli.launch.substitutions import TextSubstitution, as_bool
 from param_tools.cli.launch.text import parse_text, unescape
 
@@ -25,8 +25,9 @@ _TYPES: dict[str, Any] = {'yaml': None, **_SCALARS, **{f'list_of_{name}': List[e
 class Entity:
     """An element of XML, or a key of YAML with what is below it."""
 
-    def __init__(self, tag: str, attributes: Mapping[str, Any], children: 'Iterable[Entity]', *, is_text: bool):
-        self.tag = tag
+    def __init__(self, tag: str, attributes: Mapping[str, Any], children: 'Iterable[Entity]', origin: Origin, *,
+                 is_text: bool):
+        self.tag, self.origin = tag, origin
         self._attributes = dict(attributes)
         self._children = list(children)
         self.is_text = is_text
@@ -55,22 +56,39 @@ class Entity:
             reject(f'attribute or nested tag {", ".join(map(repr, left))} in `{self.tag}`')
 
 
-def _from_xml(text: str) -> Entity:
-    def entity(element: ElementTree.Element) -> Entity:
-        return Entity(element.tag, element.attrib, map(entity, element), is_text=True)
+def _from_xml(path: Path) -> Entity:
+    # What is open: the arguments of an Entity, its children last of all that are not in keywords.
+    elements: list[tuple[str, dict[str, str], list[Entity], Origin]] = [('', {}, [], Origin(path, 1))]
 
-    return entity(ElementTree.fromstring(text))
+    def end(_tag: str) -> None:
+        entity = Entity(*elements.pop(), is_text=True)
+        elements[-1][2].append(entity)
+
+    parser = expat.ParserCreate()
+    parser.StartElementHandler = lambda tag, attributes: elements.append(
+        (tag, attributes, [], Origin(path, parser.CurrentLineNumber)))
+    parser.EndElementHandler = end
+    parser.Parse(path.read_text(encoding='utf-8'), True)
+    return elements[0][2][0]
 
 
-def _from_yaml(text: str) -> Entity:
+class _LineLoader(yaml.SafeLoader):
+    """Keeps the line of each map, counted from 1, under the key None."""
+
+    def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> dict[Any, Any]:
+        return super().construct_mapping(node, deep) | {None: node.start_mark.line + 1}
+
+
+def _from_yaml(path: Path) -> Entity:
     def children(found: Any, where: str) -> list[Entity]:
-        if not isinstance(found, list) or not all(isinstance(each, dict) and len(each) == 1 for each in found):
+        if not isinstance(found, list) or not all(isinstance(each, dict) and len(each) == 2 for each in found):
             raise LaunchFailed(f'what is below {where!r} has to be a list of entries with one key each')
-        return [entity(*pair) for each in found for pair in each.items()]
+        return [entity(key, below, each[None]) for each in found for key, below in each.items() if key is not None]
 
-    def entity(tag: str, content: Any) -> Entity:
+    def entity(tag: str, content: Any, line: int) -> Entity:
+        origin = Origin(path, line)
         if isinstance(content, list):
-            return Entity(tag, {}, children(content, tag), is_text=False)
+            return Entity(tag, {}, children(content, tag), origin, is_text=False)
         if not isinstance(content, dict):
             raise LaunchFailed(f'{tag!r} needs keys below it, and has {content!r}')
         attributes, below = {}, []
@@ -78,29 +96,29 @@ def _from_yaml(text: str) -> Entity:
             if key == 'children':
                 below += children(value, tag)
             elif isinstance(value, list) and value and isinstance(value[0], dict):
-                below += [entity(key, each) for each in value]
-            else:
+                below += [entity(key, each, each[None]) for each in value]
+            elif key is not None:
                 attributes[key] = value
-        return Entity(tag, attributes, below, is_text=False)
+        return Entity(tag, attributes, below, origin, is_text=False)
 
-    found = yaml.safe_load(text)
-    if not isinstance(found, dict) or len(found) != 1:
+    found = yaml.load(path.read_text(encoding='utf-8'), _LineLoader)
+    if not isinstance(found, dict) or len(found) != 2:
         raise LaunchFailed("a launch file in YAML has one key at the top, which is 'launch'")
-    return entity(*next(iter(found.items())))
+    return children([found], '')[0]
 
 
-READERS: dict[str, Callable[[str], Entity]] = {'.xml': _from_xml, '.yaml': _from_yaml, '.yml': _from_yaml}
+READERS: dict[str, Callable[[Path], Entity]] = {'.xml': _from_xml, '.yaml': _from_yaml, '.yml': _from_yaml}
 
 
 def load(path: Path) -> LaunchDescription:
     """Return what a launch file describes."""
     try:
-        root = READERS[path.suffix](path.read_text(encoding='utf-8'))
+        root = READERS[path.suffix](path)
         if root.tag != 'launch':
             raise LaunchFailed(f"Expected 'launch' as root tag, and {path.name} has {root.tag!r}")
         return LaunchDescription(_actions(root.children()), deprecated_reason=root.take('deprecated'))
     # The last one is a quotation mark that nothing closes, in a command line, or a file that is no text.
-    except (OSError, ElementTree.ParseError, yaml.YAMLError, ValueError) as error:
+    except (OSError, expat.ExpatError, yaml.YAMLError, ValueError) as error:
         kind = path.suffix[1:]
         raise LaunchFailed(f'Caught exception when trying to load file of format [{kind}]: {error}') from None
 
@@ -111,6 +129,7 @@ def _actions(entities: Iterable[Entity]) -> list[Action]:
         if entity.tag not in _ACTIONS:
             reject(f'action `{entity.tag}`')
         action = _ACTIONS[entity.tag](entity)
+        action.origin = entity.origin
         _add_condition(entity, action)
         entity.end()
         found.append(action)
@@ -215,7 +234,7 @@ def _parameters(entity: Entity) -> list[Any]:
     for each in entity.children('param'):
         path = each.take('from')
         if path is None:
-            found.append(_named_value(each))
+            found.append(Parameters(_named_value(each), each.origin))
         else:
             allows = each.take('allow_substs')
             found.append(ParameterFile(_text(each, path), allow_substs=(
@@ -286,6 +305,7 @@ def _composable(entity: Entity) -> list[ros_actions.ComposableNode]:
             package=_text(each, each.need('pkg')), plugin=_text(each, each.need('plugin')),
             name=_text(each, each.take('name')), namespace=_text(each, each.take('namespace')),
             parameters=_parameters(each), remappings=_pairs(each.children('remap'), 'from', 'to')))
+        node.origin = each.origin
         each.children('extra_arg')
         _add_condition(each, node)
         each.end()

@@ -11,11 +11,19 @@ from typing import Any, get_args
 
 import yaml
 
-from param_tools.cli.launch.context import Context, LaunchFailed
+from param_tools.cli.launch.context import Context, LaunchFailed, Origin
 from param_tools.cli.launch.substitutions import is_substitution, perform, typed_bool
 from param_tools.cli.launch.text import parse_text
 
 _SCALARS = (bool, int, float, str)
+
+
+class Parameters(dict[Any, Any]):
+    """A dictionary of parameters from an element of XML or YAML."""
+
+    def __init__(self, parameters: Mapping[Any, Any], origin: Origin):
+        super().__init__(parameters)
+        self.origin = origin
 
 
 @dataclass
@@ -99,6 +107,4 @@ class ParameterFile:
         except OSError as error:
             raise LaunchFailed(f'{error.strerror}: {path}') from None
 
-        path_without = context.write(perform(parse_text(text), context))
-        context.originals[path_without] = path
-        return path_without
+        return context.write(perform(parse_text(text), context), Origin(path, None))

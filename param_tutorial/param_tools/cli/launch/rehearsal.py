@@ -4,7 +4,9 @@ The launch file is carried out as ``ros2 launch`` does, but programs and package
 ``xacro`` are not run, and what only the genuine launch can start is read, too: components, and what events set off.
 """
 
+import ast
 import dataclasses
+import functools
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -37,12 +39,6 @@ class Rehearsal(Context):
 
     def expect_launchable(self, what: str) -> None:
         """Accept what only the genuine launch can start."""
-
-    def write(self, text: str) -> Path:
-        path = super().write(text)
-        if self.launch_file is not None:
-            self.originals[path] = self.launch_file
-        return path
 
 
 @dataclass(frozen=True)
@@ -109,7 +105,8 @@ class RehearsedLaunch:
                 node.files.append(Path(text))
             elif option == '-p':
                 name, _, value = text.partition(':=')
-                node.files.append(self._context.write(f'/**:\n  {KEY}:\n    {name}: {value}\n'))
+                node.files.append(self._context.write(f'/**:\n  {KEY}:\n    {name}: {value}\n',
+                                                      self._context.origins.get(text)))
         return node
 
     def given(self, node: RehearsedNode) -> list[Given]:
@@ -121,8 +118,8 @@ class RehearsedLaunch:
         result = []
         for name, entry in sorted(effective(parser, node.name).items()):
             if (winner := entry.winner()) is not None:
-                source, line = self._place(Path(winner.file), winner.place.line, name)
-                result.append(Given(name, winner.value, f'{source}:{line}'))
+                source = _written(*self._place(winner.file, winner.place.line, name))
+                result.append(Given(name, winner.value, source))
         return result
 
     def lines(self) -> Iterator[str]:
@@ -138,7 +135,11 @@ class RehearsedLaunch:
 
     def check(self, known: Descriptions) -> Findings:
         """Find what no node would get, and what a node would reject."""
-        found = dict.fromkeys(FileFinding(str(self.path), 1, 1, 'unreadable', text) for text in self._warnings)
+        found: dict[FileFinding, None] = {}
+        for text in self._warnings:
+            origin = self._context.origins.get(text)
+            found[FileFinding(str(self.path), 0, 0, 'unreadable', text) if origin is None else
+                  FileFinding(str(origin.file), origin.line or 0, 1, 'unreadable', text)] = None
         left: dict[str, None] = {}
         for node in self.nodes:
             description = node.description(known)
@@ -150,7 +151,7 @@ class RehearsedLaunch:
                     found[self._moved(each)] = None
             for place in result.left_to_launch:
                 file, _, line = place.rpartition(':')
-                left['{}:{}'.format(*self._place(Path(file), int(line), ''))] = None
+                left[_written(*self._place(file, int(line), ''))] = None
         findings = Findings(found)
         findings.left_to_launch = tuple(left)
         if known:
@@ -165,8 +166,9 @@ class RehearsedLaunch:
         for path in files:
             parser = Parser(tolerant=True)
             parser.parse(read_bytes(path), str(path))
+            # One file for several nodes is usual.
             if parser.blocks and not parser.rejected and not any(
-                    matches(block, node.name) for block in parser.blocks):
+                    matches(block, each.name) for block in parser.blocks for each in self.nodes):
                 start = parser.starts[0]
                 yield FileFinding(str(path), start.place.line, start.place.column, 'never matched',
                                   f'the launch file gives {node.name} this file, and no block in it is for that node: '
@@ -174,24 +176,54 @@ class RehearsedLaunch:
 
     def _moved(self, finding: FileFinding) -> FileFinding:
         """Return a finding where a person can mend it: not in a file that launch writes."""
-        path, line = self._place(Path(finding.file), finding.line, finding.parameter)
-        message = finding.message
-        for written, original in self._context.originals.items():
-            message = re.sub(rf'line \d+ of {re.escape(str(written))}', str(original), message)
-        column = finding.column if line == finding.line else 1
-        return dataclasses.replace(finding, file=str(path), line=line, column=column, message=message)
+        def written(match: re.Match[str]) -> str:
+            return _written(*self._place(match[2], int(match[1]), finding.parameter))
 
-    def _place(self, path: Path, line: int, name: str) -> tuple[Path, int]:
-        """Return the file that holds a value, and its line."""
-        original = self._context.originals.get(path)
-        if original is None:
-            return path, line
-        text = original.read_text(encoding='utf-8', errors='replace')
-        if KEY in text and original.suffix != '.py':
-            return original, line  # a parameter file whose substitutions were carried out
-        last = re.escape(name.rpartition('.')[2])
-        hit = re.search(rf'\b{last}\b', text) if last else None
-        return original, text.count('\n', 0, hit.start()) + 1 if hit else 1
+        message = re.sub(rf'line (\d+) of ({re.escape(str(self._context.folder))}\S+?)(?=[,;:)]|$)', written,
+                         finding.message)
+        path, line = self._place(finding.file, finding.line, finding.parameter)
+        origin = self._context.origins.get(finding.file)
+        is_kept = path == finding.file if origin is None else origin.line is None
+        column = finding.column if is_kept else 1
+        return dataclasses.replace(finding, file=path, line=line, column=column, message=message)
+
+    def _place(self, file: str, line: int, name: str) -> tuple[str, int]:
+        """Return the file in which a person has written a value, and the line; 0 if that isn't known."""
+        if Path(file).parent != self._context.folder:
+            return file, line
+        origin = self._context.origins.get(file)
+        if origin is None:
+            return str(self.path), 0
+        if origin.line is None:
+            return str(origin.file), line
+        return str(origin.file), _line_of_key(origin.file, origin.line, name) or origin.line
+
+
+def _written(file: str, line: int) -> str:
+    return f'{file}:{line}' if line else file
+
+
+@functools.cache
+def _calls(file: Path) -> list[ast.Call]:
+    """Return the calls in a launch file in Python, inner ones first."""
+    if file.suffix != '.py':
+        return []
+    found = [each for each in ast.walk(ast.parse(file.read_bytes())) if isinstance(each, ast.Call)]
+    return sorted(found, key=lambda each: (each.end_lineno or 0) - each.lineno)
+
+
+def _line_of_key(file: Path, line: int, name: str) -> int:
+    """Return where the dictionary in a call names a parameter; 0 if none does, or more than one.
+
+    :param line: Where the call begins.
+    """
+    names = (name, name.rpartition('.')[2])
+    for call in _calls(file):
+        lines = [key.lineno for each in ast.walk(call) if isinstance(each, ast.Dict) for key in each.keys
+                 if isinstance(key, ast.Constant) and key.value in names] if call.lineno == line else []
+        if lines:
+            return lines[0] if len(lines) == 1 else 0
+    return 0
 
 
 def _ros_options(words: Sequence[str]) -> Iterator[tuple[str, str]]:

@@ -1,7 +1,7 @@
 """The actions of ``launch_ros``: nodes, and what they get from the launch file around them."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -9,8 +9,8 @@ import yaml
 
 from param_tools.cli.launch.actions import Action, Process
 from param_tools.cli.launch.conditions import Condition
-from param_tools.cli.launch.context import Context, LaunchFailed
-from param_tools.cli.launch.parameters import ParameterFile, flat
+from param_tools.cli.launch.context import Context, LaunchFailed, Origin, written_here
+from param_tools.cli.launch.parameters import ParameterFile, Parameters, flat
 from param_tools.cli.launch.processes import Program
 from param_tools.cli.launch.substitutions import perform
 from param_tools.files.node_names import Flaw, flaw_of_namespace, flaw_of_node_name
@@ -24,7 +24,15 @@ class SetParameter(Action):
     value: Any
 
     def execute(self, context: Context) -> None:
-        _given_to_all(context).extend(flat({perform(self.name, context): self.value}, context).items())
+        given = flat({perform(self.name, context): self.value}, context)
+        _given_to_all(context).extend(given.items())
+        if self.origin is not None:
+            context.origins.update(dict.fromkeys((_rule(*each) for each in given.items()), self.origin))
+
+
+def _rule(name: str, value: Any) -> str:
+    """Return the word after ``-p``: as Python writes the value, a list as a tuple. rcl guesses the type again."""
+    return f'{name}:={value}'
 
 
 @dataclass
@@ -100,7 +108,7 @@ class Node(Process):
         name, namespace = full_name(self.name, self.namespace, context)
         words = [*program, *(perform(word, context) for word in self.arguments or ()), '--ros-args',
                  *(perform(word, context) for word in self.ros_arguments or ()), *_name_words(name, namespace)]
-        words += parameter_words(self.parameters, name, namespace, context)
+        words += parameter_words(self.parameters, name, namespace, self.origin, context)
         for old, new in context.launch_configurations.get('ros_remaps', []):
             words += ['-r', f'{old}:={new}']
         for old, new in self.remappings or ():
@@ -128,6 +136,7 @@ class ComposableNode:
     remappings: Sequence[tuple[Any, Any]] | None = None
     extra_arguments: list[Any] | None = None
     condition: Condition | None = None
+    origin: Origin | None = field(default_factory=written_here, init=False)
 
     def __post_init__(self) -> None:
         _expect_parameters('ComposableNode', self.parameters)
@@ -139,7 +148,8 @@ class ComposableNode:
         plugin = perform(self.plugin, context)
         name, namespace = full_name(self.name, self.namespace, context)
         words = [*context.find_program(perform(self.package, context), plugin), '--ros-args',
-                 *_name_words(name, namespace), *parameter_words(self.parameters, name, namespace, context)]
+                 *_name_words(name, namespace),
+                 *parameter_words(self.parameters, name, namespace, self.origin, context)]
         return [Program(words, plugin, False, False)]
 
 
@@ -208,8 +218,11 @@ def _expect_parameters(what: str, parameters: Any) -> None:
 
 
 def parameter_words(parameters: Iterable[Any] | None, name: str | None, namespace: str | None,
-                    context: Context) -> list[str]:
-    """Return the words of a command line that give a node its parameters: first what all get, then its own."""
+                    origin: Origin | None, context: Context) -> list[str]:
+    """Return the words of a command line that give a node its parameters: first what all get, then its own.
+
+    :param origin: Where the node is described.
+    """
     words: list[str] = []
     for each in context.launch_configurations.get('global_params', []):
         if isinstance(each, str):
@@ -218,17 +231,20 @@ def parameter_words(parameters: Iterable[Any] | None, name: str | None, namespac
                 raise LaunchFailed(f'SetParametersFromFile: {path} is not a file')
             words += ['--params-file', str(path)]
         else:
-            # As Python writes the value, a list as a tuple: so does launch_ros. rcl guesses the type again.
-            words += ['-p', f'{each[0]}:={each[1]}']
+            words += ['-p', _rule(*each)]
     # The full name where the launch file gives it, and every node's where it does not.
     key = '/**' if name is None or namespace is None else f'{namespace.rstrip("/")}/{name}'
     for source in parameters or ():
         if isinstance(source, Mapping):
-            path = context.write(yaml.safe_dump({key: {'ros__parameters': flat(source, context)}}))
+            path = context.write(yaml.safe_dump({key: {'ros__parameters': flat(source, context)}}),
+                                 source.origin if isinstance(source, Parameters) else origin)
         else:
             path = (source if isinstance(source, ParameterFile) else ParameterFile(source)).evaluate(context)
             if not path.is_file():
-                context.log('WARNING', 'launch_ros.actions.node', f'Parameter file path is not a file: {path}')
+                warning = f'Parameter file path is not a file: {path}'
+                if origin is not None:
+                    context.origins[warning] = origin
+                context.log('WARNING', 'launch_ros.actions.node', warning)
                 continue
         words += ['--params-file', str(path)]
     return words
