@@ -231,6 +231,12 @@ def test_check_launch_names_the_line_that_sets_a_value(tmp_path, monkeypatch, fi
     assert found == {name: place if isinstance(place, str) else f'{file}:{place}' for name, place in places.items()}
 
 
+def test_a_substitution_that_nothing_fills_in_is_found(lab):
+    path = lab / 'lab_launch.py'
+    path.write_text(LAUNCH.replace("'robot.yaml', allow_substs=True", "'robot.yaml'"))
+    assert f'{lab}/robot.yaml:3:17: not filled in: /lab/clawbot gets this text as it stands: launch' in check(path)[0]
+
+
 def test_a_file_that_holds_nothing_for_the_node_that_gets_it_is_found(lab):
     (lab / 'robot.yaml').write_text(ROBOT.replace('/**/clawbot', '/clawbot'))
     stdout, _, status = check(lab / 'lab_launch.py', 'speed:=5')

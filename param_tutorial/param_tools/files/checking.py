@@ -27,7 +27,7 @@ from param_tools.values import ParameterType
 KINDS = {
     'unreadable': 'error', 'no header': 'error', 'unknown node': 'error', 'never matched': 'error',
     'unknown parameter': 'error', 'wrong type': 'error', 'out of range': 'error', 'off the step': 'error',
-    'duplicate': 'warning', 'overridden': 'warning',
+    'not filled in': 'error', 'duplicate': 'warning', 'overridden': 'warning',
 }
 # An array of more characters is not written out in a remedy.
 _LONGEST_REMEDY = 100

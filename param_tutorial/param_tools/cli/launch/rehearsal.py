@@ -21,7 +21,7 @@ from param_tools.cli.launch.verb import include
 from param_tools.files.checking import FileFinding, Findings, check_files
 from param_tools.files.descriptions import Descriptions, NodeDescription
 from param_tools.files.parameter_files import read_bytes
-from param_tools.files.parsing import KEY, Parser, effective, matches
+from param_tools.files.parsing import KEY, Assignment, Parser, effective, matches
 
 
 class Rehearsal(Context):
@@ -111,16 +111,16 @@ class RehearsedLaunch:
 
     def given(self, node: RehearsedNode) -> list[Given]:
         """Return what a node gets, by name."""
+        return [Given(name, winner.value, _written(*self._place(winner.file, winner.place.line, name)))
+                for name, winner in self._winners(node)]
+
+    def _winners(self, node: RehearsedNode) -> list[tuple[str, Assignment]]:
         parser = Parser(tolerant=True)
         for path in node.files:
             if path.is_file():
                 parser.parse(read_bytes(path), str(path))
-        result = []
-        for name, entry in sorted(effective(parser, node.name).items()):
-            if (winner := entry.winner()) is not None:
-                source = _written(*self._place(winner.file, winner.place.line, name))
-                result.append(Given(name, winner.value, source))
-        return result
+        return [(name, winner) for name, entry in sorted(effective(parser, node.name).items())
+                if (winner := entry.winner()) is not None]
 
     def lines(self) -> Iterator[str]:
         """Return the lines that say what each node gets."""
@@ -149,9 +149,15 @@ class RehearsedLaunch:
             for each in (*result, *self._never_matched(node, files)):
                 if each.kind != 'unknown node' or not any(matches(each.node, other) for other in others):
                     found[self._moved(each)] = None
+            for name, winner in self._winners(node):
+                if winner.file not in self._context.origins and re.search(r'\$\([a-z]', str(winner.value)):
+                    found[FileFinding(winner.file, winner.place.line, winner.place.column, 'not filled in', (
+                        f'{node.name} gets this text as it stands: launch replaces a part of a file only if it is '
+                        f'given as ParameterFile(…, allow_substs=True)'), node.name, name)] = None
             for place in result.left_to_launch:
                 file, _, line = place.rpartition(':')
-                left[_written(*self._place(file, int(line), ''))] = None
+                if file in self._context.origins:
+                    left[_written(*self._place(file, int(line), ''))] = None
         findings = Findings(found)
         findings.left_to_launch = tuple(left)
         if known:
