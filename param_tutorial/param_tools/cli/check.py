@@ -53,7 +53,8 @@ def check(session: Session, args: argparse.Namespace) -> int:
     if findings.passed_over:
         session.complain(f'Not checked, because nothing is known of these nodes: {", ".join(findings.passed_over)}')
     if findings.left_to_launch:
-        session.complain(f'Not checked, because launch fills them in, if it is told to by allow_substs: {", ".join(findings.left_to_launch)}')
+        session.complain(f'Not checked, because launch fills them in where allow_substs says so: '
+                         f'{", ".join(findings.left_to_launch)}')
     return 1 if findings else 0
 
 

@@ -7,7 +7,8 @@ them with descriptions of the nodes, and returns each mistake with its line and 
 
 import difflib
 import re
-from collections.abc import Iterable, Sequence
+from collections import defaultdict
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -108,6 +109,8 @@ class _Check:
     def __init__(self, against: Descriptions):
         self._against = against
         self._parser = Parser(tolerant=True)
+        self._assignments: defaultdict[str, list[Assignment]] = defaultdict(list)
+        """Those of each block."""
         self._files: list[str] = []
         self._accepted: list[str] = []
         self._reported: set[str] = set()
@@ -140,6 +143,8 @@ class _Check:
     def findings(self) -> Findings:
         """Check what was read, and return all findings."""
         self._ask_rcl()
+        for assignment in self._parser.assignments:
+            self._assignments[assignment.block].append(assignment)
         self._check_duplicates()
         self._check_blocks()
         self._check_values()
@@ -152,6 +157,10 @@ class _Check:
             found.passed_over = tuple(name for name in self._parser.blocks if name not in self._reported
                                       and not any(matches(name, node) for node in self._against))
         return found
+
+    def _for(self, node: str) -> Iterator[Assignment]:
+        """Return what the blocks for a node assign."""
+        return (each for name in self._parser.blocks_for(node) for each in self._assignments[name])
 
     def _ask_rcl(self) -> None:
         """Let rcl itself judge what was read without a rejection: its YAML library may be another one than Python's."""
@@ -223,9 +232,7 @@ class _Check:
         owners: dict[Assignment, list[str]] = {}
         for node, description in self._against.items():
             entries = effective(self._parser, node)
-            for assignment in self._parser.assignments:
-                if not matches(assignment.block, node):
-                    continue
+            for assignment in self._for(node):
                 owners.setdefault(assignment, [])
                 described = description.parameters.get(assignment.name)
                 if described is not None or is_housekeeping(assignment.name):
@@ -264,17 +271,16 @@ class _Check:
 
     def _check_overridden(self) -> None:
         exact = ['/' + name.strip('/') for name in self._parser.blocks if '*' not in name]
+        order = {each: number for number, each in enumerate(self._parser.assignments)}
         for node in dict.fromkeys((*self._against, *exact)):
             entries = effective(self._parser, node)
-            for loser in self._parser.assignments:
-                if not matches(loser.block, node):
-                    continue
+            for loser in self._for(node):
                 winner = _winner(entries.get(loser.name))
                 if winner is None:
                     self._add(loser.file, loser.name_place, 'overridden',
                               f'rcl loses {loser.name} of {node}, because a map of the same name follows', node,
                               loser.name)
-                elif loser is not winner and _is_surprising(loser, winner, self._parser.assignments):
+                elif loser is not winner and _is_surprising(loser, winner, order[loser] > order[winner]):
                     where = f'line {winner.place.line}' + (f' of {winner.file}' * (winner.file != loser.file))
                     self._add(loser.file, loser.place, 'overridden',
                               f'{node} gets {values.format_value(winner.value, 60)} for {loser.name}, from {where}: '
@@ -285,14 +291,13 @@ def _winner(entry: Entry | None) -> Assignment | None:
     return entry.winner() if entry is not None else None
 
 
-def _is_surprising(loser: Assignment, winner: Assignment, order: Sequence[Assignment]) -> bool:
+def _is_surprising(loser: Assignment, winner: Assignment, is_later: bool) -> bool:
     """True if the author of the loser could expect it to win: it comes later, or is more specific."""
     if (loser.file, loser.block, loser.name) == (winner.file, winner.block, winner.name):
         return False  # a duplicate, which is said elsewhere
-    later = next(each for each in order if each is loser or each is winner) is winner
     if values.same(loser.value, winner.value):
         return False
-    return later or (_generality(winner.block) > _generality(loser.block))
+    return is_later or (_generality(winner.block) > _generality(loser.block))
 
 
 def _generality(block: str) -> tuple[int, int]:

@@ -9,6 +9,7 @@ finds all that is wrong with it.
 
 import codecs
 import ctypes
+import functools
 import re
 import sys
 from collections import defaultdict
@@ -168,9 +169,18 @@ def matches(block: str, node: str) -> bool:
 
     :param block: May also be what somebody typed; what is no pattern matches nothing.
     """
-    parts = re.split(r'(/\*\*|\*)', block if block.startswith('/') else '/' + block)
+    return _pattern(block).fullmatch(node) is not None
+
+
+def _with_slash(block: str) -> str:
+    return block if block.startswith('/') else '/' + block
+
+
+@functools.lru_cache(10_000)
+def _pattern(block: str) -> re.Pattern[str]:
+    parts = re.split(r'(/\*\*|\*)', _with_slash(block))
     pattern = ''.join({'/**': r'(/\w+)*', '*': r'\w+'}.get(part) or re.escape(part) for part in parts)
-    return re.fullmatch(pattern, node, re.ASCII) is not None
+    return re.compile(pattern, re.ASCII)
 
 
 class Parser:
@@ -184,6 +194,9 @@ class Parser:
         """:param tolerant: Note what rcl would reject in ``rejected``, and read on as far as that is possible."""
         self.blocks: dict[str, list[Entry]] = {}
         """What was read so far, by the names of the blocks, in the order in which the names first appeared."""
+        # The names of the blocks: those for one node each, and those with wildcards. A file may have a thousand.
+        self._exact: defaultdict[str, list[str]] = defaultdict(list)
+        self._wild: list[str] = []
         # Where in each block the entries of a name are: a file may hold ten thousand.
         self._places: defaultdict[tuple[str, str], set[int]] = defaultdict(set)
         self.starts: list[BlockStart] = []
@@ -223,6 +236,17 @@ class Parser:
                 raise
             self.rejected.append(rejected)
         return self.blocks
+
+    def blocks_for(self, node: str) -> list[str]:
+        """Return the names of the blocks for a node, in the order in which they first appeared.
+
+        :param node: Fully qualified name.
+        """
+        found = [*self._exact.get(node, ()), *(name for name in self._wild if matches(name, node))]
+        if len(found) < 2:
+            return found
+        order = {name: number for number, name in enumerate(self.blocks)}
+        return sorted(found, key=order.__getitem__)
 
     def _parse(self, content: bytes) -> None:
         held: yaml.Event | None = None
@@ -350,6 +374,8 @@ class Parser:
                          f'{values.format_value(self.node_path, 60)} is not a node name: {flaw}. A name has letters, '
                          f'digits and underscores between slashes, or * and ** for any')
         self.block_name = self.node_path
+        if self.node_path not in self.blocks:
+            (self._wild if '*' in self.node_path else self._exact[_with_slash(self.node_path)]).append(self.node_path)
         self.block = self.blocks.setdefault(self.node_path, [])
         self.starts.append(BlockStart(self.file, self.node_path, self.node_keys[-1][1], place))
         self._leave_node_key()
@@ -418,7 +444,7 @@ def effective(parser: Parser, node: str) -> dict[str, Entry]:
 
     :param node: Fully qualified name.
     """
-    return {entry.name: entry for name, block in parser.blocks.items() if matches(name, node) for entry in block}
+    return {entry.name: entry for name in parser.blocks_for(node) for entry in parser.blocks[name]}
 
 
 def _place(event: yaml.Event) -> Place:
