@@ -35,7 +35,15 @@ EDITORS = {
 
 def test_every_parameter_gets_the_editor_of_its_type_and_range(arm):
     assert {name: (arm[name].row.editor, arm[name].row.last, shows(arm, name)) for name in EDITORS} == EDITORS
-    assert 'value="" placeholder="not set"' in arm._front.markup
+    assert arm._front.markup.count('placeholder="not set"') == 1
+
+
+def test_an_empty_text_is_not_shown_as_not_set(arm):
+    for name in ('tool', 'calibrated_at'):
+        enter(arm, name, '')
+    arm.settle()
+    assert arm['calibrated_at'].value == ''
+    assert [panel._front.markup.count('not set') for panel in (arm, ParameterPanel('/arm'))] == [0, 0]
 
 
 @pytest.mark.parametrize(('name', 'entered', 'stored', 'shown'), [

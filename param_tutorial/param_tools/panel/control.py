@@ -44,6 +44,7 @@ class PanelRow:
     last: int | None = None
     """The last position of its slider, counted from 0; None if it has none."""
     is_read_only: bool = False
+    is_unset: bool = False
     is_quiet: bool = False
     """True for what every node has."""
 
@@ -249,7 +250,7 @@ def row_of(descriptor: Descriptor, value: Any, scale: Scale | None) -> PanelRow:
         name=descriptor.name, editor=editor, kind=descriptor.type.label, description=descriptor.description,
         constraints=descriptor.additional_constraints, facts=tuple(facts), choices=choices,
         last=scale.last if scale else None, is_read_only=descriptor.read_only,
-        is_quiet=is_housekeeping(descriptor.name))
+        is_unset=value is None, is_quiet=is_housekeeping(descriptor.name))
 
 
 def _has_lines(value: Any) -> bool:

@@ -95,7 +95,7 @@ def _box(row: PanelRow, state: RowState, common: str) -> str:
         options = ''.join(f'<option{" selected" if each == state.text else ""}>{html.escape(each)}</option>'
                           for each in dict.fromkeys((*row.choices, state.text)))
         return f'<select autocomplete="off" {common}>{options}</select>'
-    unset = '' if state.text else ' placeholder="not set"'
+    unset = ' placeholder="not set"' if row.is_unset else ''
     return f'<input type="text" autocomplete="off" spellcheck="false" value="{text}"{unset} {common}>'
 
 
