@@ -43,13 +43,23 @@ function show(text) {
 }
 
 window.Worker = class extends Worker {
+  /** What to do once it has answered, by the ids of the messages. @type {Map<string, (answer?: any) => void>} */
+  awaited = new Map();
+
+  /** @param {string | URL} script @param {WorkerOptions} [options] */
+  constructor(script, options) {
+    super(script, options);
+    // Here, and so before JupyterLite has the answer.
+    this.addEventListener('message', ({data}) => this.finish(data?.id, data?.value));
+  }
+
   /** @param {any} message @param {any} others */
   postMessage(message, others) {
     // JupyterLite's kernel is called by messages with the name of what it is to do, and its answer has the same id.
     const asked = message?.path?.[0];
     if (asked === 'initialize') {
       const hide = show(LOADING);
-      this.whenAnswered(message.id, () => {
+      this.awaited.set(message.id, () => {
         hide();
         navigator.serviceWorker.controller?.postMessage('keep everything');
       });
@@ -58,27 +68,24 @@ window.Worker = class extends Worker {
       const timer = setTimeout(() => {
         hide = show(RUNNING);
       }, LONG_MS);
-      this.whenAnswered(message.id, () => {
+      this.awaited.set(message.id, answer => {
         clearTimeout(timer);
         hide();
+        // After an error JupyterLite drops the cells that wait, also if JupyterLab says that the error is intended.
+        if (answer?.status === 'error' && !message.argumentList[0].value.stop_on_error) answer.status = 'ok';
       });
     }
     super.postMessage(message, others);
   }
 
   terminate() {
-    this.dispatchEvent(new Event('terminated'));
+    for (const id of this.awaited.keys()) this.finish(id);
     super.terminate();
   }
 
-  /** @param {string} id @param {() => void} then */
-  whenAnswered(id, then) {
-    const end = new AbortController();
-    const finish = () => {
-      end.abort();
-      then();
-    };
-    this.addEventListener('message', ({data}) => data?.id === id && finish(), {signal: end.signal});
-    this.addEventListener('terminated', finish, {signal: end.signal});
+  /** @param {string} id @param {any} [answer] */
+  finish(id, answer) {
+    this.awaited.get(id)?.(answer);
+    this.awaited.delete(id);
   }
 };
