@@ -13,7 +13,7 @@ from tests.support.lab import RESTART_KERNEL, CourseLab, LabPage, wait_for
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]
 
-NAME = '01_robot.ipynb'
+NAME, OTHER = '01_robot.ipynb', '02_robot.ipynb'
 CELLS = (
     '# 1 · A robot\nYou declare a parameter, and you declare another:',
     'import param_tutorial\nfrom param_tutorial import ParameterPanel, exercises\n'
@@ -27,6 +27,20 @@ CELLS = (
     '## The words\n\n| word | meaning |\n| --- | --- |\n| to declare | create a parameter |\n'
     '| atomic | all or nothing |',
 )
+SIGHTS = (
+    'A plot:', "from param_tutorial.views import LinePlot, LogView\n\n"
+    "LinePlot({'speed': [(0, 0), (8, 1)]}, x='s', y='m/s')",
+    'Long lines:', "print('back from the wall ' * 9)\nrobot.get_logger().info('back from the wall ' * 9)\nLogView()")
+# It waits until its notebook is out of sight.
+UNSEEN = ("import time\nfrom pathlib import Path\n\n"
+          "while not Path('unseen').exists():\n    time.sleep(0.05)", *CELLS[:2])
+# How many words of an element stand in more than one line.
+BROKEN = """({firstChild: text}) => [...text.data.matchAll(/[^\\s]+/g)].filter(({0: word, index}) => {
+    const range = new Range();
+    range.setStart(text, index);
+    range.setEnd(text, index + word.length);
+    return range.getClientRects().length > 1;
+}).length"""
 WORDS = 'The kernel is new. Click here to run this cell, after all cells above it.'
 # What the style sheet writes before an output, or before a widget in it that JupyterLab marks with a broken link.
 BEFORE = """output => [output, ...output.querySelectorAll('.jupyter-widgets-disconnected')]
@@ -39,7 +53,8 @@ PARTS = ('.beside-text', '.jp-NotebookPanel .side-by-side', '.param-predict', '.
 @pytest.fixture(scope='module')
 def started(tmp_path_factory):
     lab = CourseLab(tmp_path_factory.mktemp('parts') / 'lab', [])
-    lesson.write(lab.course / 'notebooks' / NAME, CELLS)
+    lesson.write(lab.course / 'notebooks' / NAME, (*CELLS, *SIGHTS))
+    lesson.write(lab.course / 'notebooks' / OTHER, UNSEEN)
     with lab:
         yield lab
 
@@ -80,6 +95,39 @@ def test_axe_finds_nothing_and_a_view_whose_kernel_is_new_comes_back_by_a_click(
     assert faults(page) == []
     stale.click()
     expect(panel).to_have_value('Clawbot')
+
+
+def test_views_stand_beside_the_text_of_the_notebook_that_has_made_them(lab, browser):
+    lab_page = LabPage(lab, browser, NAME)
+    page, beside = lab_page.page, lab_page.page.locator('.beside-text:visible')
+    lab_page.command('docmanager:open', path=OTHER)
+    page.wait_for_function(f"jupyterapp.shell.currentWidget.context?.path === '{OTHER}'")
+    lab_page.wait_for_kernel()
+    page.evaluate("() => { jupyterapp.commands.execute('notebook:run-all-cells'); }")  # it waits for what comes below
+    lab_page.command('docmanager:open', path=NAME)
+    expect(page.locator('.jp-NotebookPanel:visible').get_by_role('heading', name='1 · A robot')).to_be_visible()
+    (lab.copies / 'unseen').touch()
+    page.wait_for_function("[...jupyterapp.shell.widgets('main')].some(panel => "
+                           f"panel.context.path === '{OTHER}' && panel.content.widgets.at(-1).model.executionCount)")
+    lab_page.command('docmanager:open', path=OTHER)
+    expect(beside.locator('.robot-scene')).to_be_visible()
+    lab_page.command('docmanager:open', path=NAME)
+    expect(page.locator('.jp-NotebookPanel:visible').get_by_role('heading', name='1 · A robot')).to_be_visible()
+    expect(beside).to_have_count(0)
+
+
+def test_plots_and_words_beside_the_stage_are_whole(lab, browser):
+    lab_page = LabPage(lab, browser, NAME)
+    page = lab_page.page
+    page.set_viewport_size({'width': 1000, 'height': 800})
+    lab_page.run_all()
+    expect(page.locator('.beside-text .robot-scene')).to_be_visible()
+    plot = page.get_by_role('img', name='m/s over s')
+    assert plot.evaluate('plot => plot.parentElement.scrollWidth === plot.parentElement.clientWidth')
+    assert plot.bounding_box()['width'] > 356  # where its letters have 11 px
+    expect(page.get_by_role('log')).to_contain_text('back from the wall')
+    lines = page.locator('.jp-OutputArea-output pre:has-text("wall")')
+    assert [each.evaluate(BROKEN) for each in lines.all()] == [0, 0]
 
 
 def test_what_a_check_says_to_look_at_is_a_click_away(lab, browser):

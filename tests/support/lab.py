@@ -213,13 +213,13 @@ class LabPage:
         self.page.on('pageerror', lambda error: self.errors.append(error.stack or str(error)))
         # "simple" shows one document, without the file browser; reset, so that no earlier layout is restored.
         self.page.goto(f'{lab.url}doc/tree/{notebook}?token={lab.token}&reset')
-        self._wait_for_kernel()
+        self.wait_for_kernel()
 
     def reload(self) -> None:
         """Save the notebook and reload the page, as a learner does with F5."""
         self.command('docmanager:save')
         self.page.reload()
-        self._wait_for_kernel()
+        self.wait_for_kernel()
 
     def strange_errors(self) -> list[str]:
         """Return what the browser complained about, apart from what is known."""
@@ -230,7 +230,7 @@ class LabPage:
         printed = self.page.locator('[data-mime-type="application/vnd.jupyter.stderr"]')
         return self.strange_errors() + printed.all_inner_texts()
 
-    def _wait_for_kernel(self) -> None:
+    def wait_for_kernel(self) -> None:
         self.page.wait_for_function('() => window.jupyterapp && window.jupyterapp.restored.then(() => true)')
         # The kernel is there when the notebook's session says so; running cells before would ask for one.
         self.page.wait_for_function('''() => {

@@ -113,9 +113,10 @@ async function offerViews(props) {
     draw: async () => manager.create_view(await manager.get_model(model.get('box').slice('IPY_MODEL_'.length))),
   };
   offers.set(model.get('own_id'), offer);
-  // JupyterLab draws a cell only once it is in sight. When a cell has run, its notebook is the one that is.
-  const panels = document.querySelectorAll(`${PANEL}:not(.lm-mod-hidden)`);
-  if (panels.length === 1) putBeside(offer, panels[0]);
+  // JupyterLab draws a cell only once it is in sight, and the manager of the widgets knows their notebook before.
+  for (const panel of /** @type {any} */ (window).jupyterapp?.shell.widgets('main') ?? []) {
+    if (panel.context === manager.context) putBeside(offer, panel.node);
+  }
   offer.place?.update();
   function withdraw() {
     offers.delete(model.get('own_id'));

@@ -1,10 +1,12 @@
 /* What the course adds to JupyterLab: a widget whose kernel has ended says so, and a click on it runs its cell again.
    Text is as wide as the pictures, and the list of files shows no folder but the learner's own: links lead to the others.
+   Lines are broken between words.
 
    JupyterLab marks each widget of a kernel that was restarted with a broken link, and leaves its buttons to look alive.
    In a notebook that is opened again, it shows an error in the widget's place.
 
-   And a picture that a notebook has stored scrolls in a narrow window: shrunk, nobody could read its letters. */
+   And a picture that a notebook has stored scrolls in a narrow window: shrunk, nobody could read its letters. A LinePlot
+   is drawn larger, and shrinks until its letters have 11 px. */
 
 const WORDS = 'The kernel is new. Click here to run this cell, after all cells above it.';
 const RESTARTED = '.jp-OutputArea-output > .jupyter-widgets-disconnected';
@@ -21,7 +23,9 @@ ${REOPENED} { font-size: 0; }
 ${RESTARTED} > * { filter: grayscale(1); opacity: 0.55; pointer-events: none; interactivity: inert; }
 :is(.jp-RenderedHTML, .param-check):has(> svg[width]) { overflow-x: auto; }
 @media screen { :is(.jp-RenderedHTML, .param-check) > svg[width] { max-width: none !important; } }
+:is(.jp-RenderedHTML, .param-check) > svg[width="500"] { max-width: 100% !important; min-width: 356px; }
 .jp-RenderedMarkdown { max-width: 60em; }
+.jp-OutputArea-output pre { word-break: normal !important; overflow-wrap: anywhere; }
 .jp-DirListing-item:is([title^='Name: solutions\\a '], [title^='Name: images\\a ']) { display: none; }
 @media print { ${RESTARTED}::before, ${REOPENED}::before { content: none !important; } }
 `;
