@@ -3,7 +3,7 @@
 import pytest
 from playwright.sync_api import expect
 
-from tests.support.lab import RESTART_KERNEL, wait_for
+from tests.support.lab import wait_for
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
@@ -185,15 +185,3 @@ def test_what_the_last_cell_shows_takes_the_place_until_a_reader_chooses(page):
     page.page.get_by_role('button', name='Put beside the text').first.click()
     expect(beside(page)).to_be_focused()
     expect(beside(page).get_by_label('max_speed_rpm', exact=True)).to_be_visible()
-
-
-def test_a_narrow_window_has_it_in_the_cell_and_so_does_a_kernel_that_has_ended(page):
-    page.page.set_viewport_size({'width': 800, 'height': 800})
-    expect(beside(page)).to_be_hidden()
-    expect(page.page.locator('.jp-OutputArea-output .robot-view:visible').first).to_be_visible()
-    page.page.set_viewport_size({'width': 1280, 'height': 800})
-    expect(beside(page).locator('.robot-view')).to_be_visible()
-    page.page.evaluate(RESTART_KERNEL)
-    expect(beside(page)).to_be_hidden()
-    page.select_cell(SETTINGS)
-    expect(page.page.locator('.jp-OutputArea-output .robot-view:visible').first).to_be_visible()

@@ -107,16 +107,11 @@ class Visit:
     def load(self, address):
         """Open an address of the site."""
         self.page.open(f'{self.site.url}/{address}')
-        self.page.wait_for('window.jupyterapp?.commands.hasCommand("docmanager:open")')
-        self.page.evaluate(f'(() => {{ {HELP} }})()')
-
-    def reload(self, name):
-        self.page.reload()
-        self.page.wait_for('window.jupyterapp?.commands.hasCommand("docmanager:open")')
-        self.page.evaluate(f'(() => {{ {HELP} }})()')
-        self.wait_for_kernel(name)
 
     def wait_for_kernel(self, name):
+        """Wait until a notebook is open and its kernel idle."""
+        self.page.wait_for('window.jupyterapp?.commands.hasCommand("docmanager:open")')
+        self.page.evaluate(f'(() => {{ {HELP} }})()')
         self.page.wait_for(f'test.isReady({json.dumps(name)})')
 
     def ask(self, code):
@@ -252,16 +247,12 @@ def work_through(visit):
 
 
 def use_panel(visit, index):
-    before = max_speed(visit)
+    ask = "import param_tutorial as it\nprint(it.ParameterClient('/clawbot_node').get_parameter('max_speed_rpm'))"
+    before = visit.ask(ask)
     visit.click(index, '.param-row[data-name="max_speed_rpm"] input[type=range]')
-    lab.wait_for(lambda: max_speed(visit) != before, 'the node to have what its control says')
+    lab.wait_for(lambda: visit.ask(ask) != before, 'the node to have what its control says')
     visit.click(index, '.robot-view button, .robot-stage button')
     visit.wait_for_text(index, 'has stopped')
-
-
-def max_speed(visit):
-    return visit.ask('import param_tutorial as it\n'
-                     "print(it.ParameterClient('/clawbot_node').get_parameter('max_speed_rpm'))")
 
 
 def predict(visit, index):
@@ -306,7 +297,8 @@ def go_on(visit):
     index = visit.cell(f"check('{EXERCISE}'")
     visit.write(index - 1, '# mine')
     visit.page.evaluate('test.panel.context.save().then(() => null)')
-    visit.reload(FIRST)
+    visit.page.reload()
+    visit.wait_for_kernel(FIRST)
     assert visit.page.evaluate('navigator.serviceWorker.getRegistrations().then(all => all.length)') == 1
     assert visit.page.evaluate(f'test.cells[{index - 1}].model.sharedModel.source') == '# mine'
     visit.run(visit.cell('import param_tutorial'))

@@ -1,6 +1,6 @@
 /* What the course adds to JupyterLab: a widget whose kernel has ended says so, and a click on it runs its cell again.
-   Text is as wide as the pictures, and the list of files shows no folder but the learner's own: links lead to the others.
-   Lines are broken between words.
+   Text is as wide as the pictures, and what is printed breaks between words. The list of files shows no folder but the
+   learner's own: links lead to the others.
 
    JupyterLab marks each widget of a kernel that was restarted with a broken link, and leaves its buttons to look alive.
    In a notebook that is opened again, it shows an error in the widget's place.
