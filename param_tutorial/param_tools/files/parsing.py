@@ -374,12 +374,16 @@ class Parser:
                          f'{values.format_value(self.node_path, 60)} is not a node name: {flaw}. A name has letters, '
                          f'digits and underscores between slashes, or * and ** for any')
         self.block_name = self.node_path
-        if self.node_path not in self.blocks:
-            (self._wild if '*' in self.node_path else self._exact[_with_slash(self.node_path)]).append(self.node_path)
-        self.block = self.blocks.setdefault(self.node_path, [])
+        self._enter(self.node_path)
         self.starts.append(BlockStart(self.file, self.node_path, self.node_keys[-1][1], place))
         self._leave_node_key()
         self.in_parameters = True
+
+    def _enter(self, name: str) -> None:
+        """Go on in the block of a name, which may be a new one."""
+        if name not in self.blocks:
+            (self._wild if '*' in name else self._exact[_with_slash(name)]).append(name)
+        self.block = self.blocks.setdefault(name, [])
 
     def _select(self, name: str, place: Place) -> None:
         places = self._places[self.block_name, name]

@@ -62,7 +62,7 @@ class Overrides(Parser):
             raise Rejected(Place(), 'error not set')
         self._begin('')
         self.block_name, self.in_parameters = node, True
-        self.block = self.blocks.setdefault(node, [])
+        self._enter(node)
         self._select(name, Place())
         try:
             for event in yaml.parse(text, Loader=LOADER):
