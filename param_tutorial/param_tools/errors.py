@@ -24,6 +24,7 @@ A rejected value is not an exception by itself: it is a result with a reason (se
 becomes a ParameterRejectedError on request.
 """
 
+import copyreg
 import difflib
 from collections.abc import Sequence
 from typing import Any, Protocol
@@ -31,6 +32,10 @@ from typing import Any, Protocol
 
 class ParameterToolError(Exception):
     """Base of everything below: ``except ParameterToolError`` catches whatever these tools raise."""
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Let a snapshot that holds errors be copied: Python would pass the message to ``__init__``."""
+        return copyreg.__newobj__, (type(self),), {**self.__dict__, 'args': self.args}  # type: ignore[attr-defined]
 
 
 class ExecutorError(ParameterToolError):
