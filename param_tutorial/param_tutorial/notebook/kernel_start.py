@@ -1,6 +1,6 @@
 """What a kernel of ``make lab`` has before its first cell, which makes the rest of the course known.
 
-An error about a name that a cell above would have defined says so, and terminals can find the kernel's nodes.
+An error about a name that a cell above would have defined, or that a Node has, says so. Terminals find its nodes.
 """
 
 import re
@@ -22,7 +22,9 @@ def after_cell(result: ExecutionResult) -> None:
     """Say below an error which cells to run first, if that may be the reason."""
     error = result.error_in_exec
     if type(error) is NameError:
-        print(f'If a cell above defines {error.name}, run it first: Run → Run All Above Selected Cell.',
+        node = getattr(sys.modules.get('rclpy.node'), 'Node', None)
+        print(f'A Node has {error.name}: do you mean self.{error.name}?' if hasattr(node, str(error.name)) else
+              f'If a cell above defines {error.name}, run it first: Run → Run All Above Selected Cell.',
               file=sys.stderr)
     elif isinstance(error, UsageError) and (magic := re.search('`(%%?(ros2|shell)[^`]*)` not found', str(error))):
         print(f'The first cell of the notebook makes {magic[1]} known; run it first: '
