@@ -37,8 +37,10 @@ class Kind(NamedTuple):
     """What it may be called."""
 
 
-NODE_CLASS = Kind('a class derived from `Node`, by its name alone and without parentheses',
-                  lambda work: inspect.isclass(work) and issubclass(work, Node), 'MyNode')
+# What the course itself has derived from Node is not the learner's work.
+NODE_CLASS = Kind('a class that you have derived from `Node`, by its name alone and without parentheses',
+                  lambda work: inspect.isclass(work) and issubclass(work, Node) and not any(
+                      each.__module__.startswith('param_tutorial.') for each in work.__mro__), 'MyNode')
 FUNCTION = Kind('a function, by its name alone and without parentheses',
                 lambda work: callable(work) and not inspect.isclass(work), 'my_function')
 DICTIONARY = Kind('a dictionary, as in the cell above', lambda work: isinstance(work, dict),

@@ -3,6 +3,7 @@
 import inspect
 import linecache
 import re
+import sys
 import textwrap
 from collections.abc import Callable, Mapping, Sequence
 from types import CodeType
@@ -212,7 +213,7 @@ def start_asking(trial: Trial) -> Any:
     try:
         node: Any = trial.start(derive(NotesQuestions, trial.work))
     except NoStart as error:
-        if match := re.search(r'request topic name rq/(\S+)Request with incompatible type', error.happened):
+        if match := re.search(r'topic name r[qr]/(\S+)Re(quest|ply) with incompatible type', error.happened):
             raise NoUse('the client finds its service',
                         f'the service `/{match[1]}` is of another type than the client') from None
         raise
@@ -232,11 +233,14 @@ def _expect_service(trial: Trial, client: Client) -> None:
         raise NoUse(error.expected, error.happened) from None
 
 
-def expect_rejected(trial: Trial, node: Node | str, new: Mapping[str, object]) -> None:
-    """Expect a request, as a whole, to be rejected with a reason."""
+def expect_rejected(trial: Trial, node: Node | str, new: Mapping[str, object], because: str = '') -> None:
+    """Expect a request, as a whole, to be rejected with a reason.
+
+    :param because: What to think of if it is accepted.
+    """
     result = trial.client(node).set_parameters_atomically(new)[0]
     asked = ', '.join(f'`{name} = {value!r}`' for name, value in new.items())
-    expect(not result.successful, f'{asked} is rejected', 'it was accepted')
+    expect(not result.successful, f'{asked} is rejected', f'it was accepted{because}')
     expect(result.reason.strip(), f'{asked} is rejected with a reason', 'it was rejected, and the reason is empty')
     expect(result.reason != _INVALID_TYPE, f'{asked} is rejected with a reason',
            f'it was rejected, but the reason is rclpy’s own, “{_INVALID_TYPE}”: an on-set callback has to return a '
@@ -264,15 +268,28 @@ def format_found(value: object) -> str:
 
 def expect_follows(trial: Trial, attribute: str, steps: Sequence[tuple[Mapping[str, object], object]]
                    ) -> WithSecondJudge:
-    """Expect an attribute of the node to have a value after each accepted change."""
+    """Expect an attribute of the node to have a value as soon as a change is accepted.
+
+    A node hears of its event before a client has the answer. Only in the executor's thread is nothing between the two.
+    """
     node = trial.start(derive(WithSecondJudge, trial.work))
     for new, wanted in steps:
         expect_accepted(trial, node, new)
-        found = getattr(node, attribute, None)
-        asked = ', '.join(f'`{name} = {value!r}`' for name, value in new.items())
-        expect(found == wanted, f'`self.{attribute}` is `{wanted!r}` once {asked} is stored',
-               f'it is {format_found(found)}')
+        _expect_attribute(attribute, wanted, new, getattr(node, attribute, None))
+    node = trial.start(derive(WithSecondJudge, trial.work))
+    for new, wanted in steps:
+        parameters = [Parameter(name, value=value) for name, value in new.items()]
+        found = trial.ros.run(lambda parameters=parameters: (  # type: ignore[misc]
+            node.set_parameters_atomically(parameters), getattr(node, attribute))[1], 'set a parameter')
+        _expect_attribute(attribute, wanted, new, found, ' in the call that stores it, and follows later. rclpy calls '
+                          'post-set callbacks in that call')
     return node
+
+
+def _expect_attribute(name: str, wanted: object, new: Mapping[str, object], found: object, when: str = '') -> None:
+    asked = ', '.join(f'`{name} = {value!r}`' for name, value in new.items())
+    expect(found == wanted, f'`self.{name}` is `{wanted!r}` once {asked} is stored',
+           f'it is {format_found(found)}{when}')
 
 
 def expect_left_alone(trial: Trial, node: WithSecondJudge, attribute: str, new: Mapping[str, object]) -> None:
@@ -307,7 +324,9 @@ def expect_range(client: ParameterClient, name: str, lowest: float, highest: flo
         raise NotYet(wanted, 'it has none for its type: a callback may reject, but no panel can know')
     fields = sorted(((limits.from_value, 'from_value'), (limits.to_value, 'to_value')))
     for (found, field), end in zip(fields, (lowest, highest), strict=True):
-        expect(found == end, wanted, f'its `{field}` is {found!r}')
+        # The smallest of all floats is what the bits of an integer make.
+        expect(found == end, wanted, f'its `{field}` is {found!r}' + (
+            '. A float has a dot, as in `0.0`' if 0.0 < found < sys.float_info.min else ''))
     expect(step is None or limits.step == step, wanted, f'its `step` is {limits.step!r}')
 
 

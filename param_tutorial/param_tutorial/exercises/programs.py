@@ -8,19 +8,26 @@ import ast
 import contextlib
 import itertools
 import re
+import runpy
 import shlex
 import signal
 import sys
+import tempfile
+import traceback
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple, cast
+
+import rclpy
 
 from param_tools.errors import NodeError, WaitTimeoutError
 from param_tools.ros.service_types import SERVICE_TYPES
 from param_tools.ros.waiting import wait, wait_until
+from param_tools.values import DOUBLE, INTEGER
 from param_tutorial.exercises.exercise import Exercise, Kind
-from param_tutorial.exercises.trial import CORNER, STUCK, NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.expectations import expect_accepted, expect_rejected, take_type_for_granted
+from param_tutorial.exercises.trial import CORNER, GROUP_IS_BUSY, STUCK, NotYet, NoUse, Trial, expect
 from param_tutorial.notebook.terminal import Terminal
 
 PROGRAM = Kind('the name of the file that the cell above writes, in quotes',
@@ -29,6 +36,29 @@ PROGRAM = Kind('the name of the file that the cell above writes, in quotes',
 # How long a program may take until its node is there, how long a node after another one, a line that it prints, and an
 # end. Importing rclpy takes seconds on a slow machine.
 START_SEC, LATER_SEC, LINE_SEC, END_SEC = 15.0, 2.0, 5.0, 10.0
+# What a program does first so that its node has one more on-set callback. In a page, this file has no source.
+_SECOND_JUDGE = '''
+def _add_second_judge():
+    from rcl_interfaces.msg import SetParametersResult
+    from rclpy.node import Node
+    init = Node.__init__
+
+    def judge(parameters):
+        return SetParametersResult(reason='a second judge rejects', successful=all(
+            (each.name, each.value) != ({name!r}, {value!r}) for each in parameters))
+
+    def init_with_judge(node, *args, **options):
+        Node.__init__ = init
+        init(node, *args, **options)
+        node.add_on_set_parameters_callback(judge)  # the oldest is asked last
+
+    Node.__init__ = init_with_judge
+
+
+import sys
+sys.path.append({folder!r})
+_add_second_judge()
+'''
 # How often a program may lose a race that is rclpy's own.
 _TIMES = 3
 _SPINS = {'spin', 'spin_once', 'spin_until_future_complete'}
@@ -54,16 +84,17 @@ class Program(NamedTuple):
     namespace: str
     """The node's namespace within the corner, as ``Trial.start`` takes it."""
 
-    def expect_line(self, text: str, when: str) -> None:
-        """Expect the program to have logged or printed a text, or to do so soon."""
-        if not wait(lambda: text in self.terminal.text, LINE_SEC):
-            lines = self.terminal.text.strip().splitlines()
-            raise NotYet(f'it logs or prints `{text}` {when}',
-                         f'its last line is `{lines[-1]}`' if lines else 'it prints nothing')
+    def expect_line(self, text: str, when: str) -> str:
+        """Expect the program to have logged or printed a text, or to do so soon, and return the last line with it."""
+        found = wait(lambda: text in self.terminal.text, LINE_SEC)
+        lines = self.terminal.text.strip().splitlines()
+        expect(found, f'it logs or prints `{text}` {when}',
+               f'its last line is `{lines[-1]}`' if lines else 'it prints nothing')
+        return next(line for line in reversed(lines) if text in line)
 
 
-def start_file(trial: Trial, words: str) -> Terminal:
-    """Start the learner's file with Python.
+def start_file(trial: Trial, words: str, copy: Path | None = None) -> Terminal:
+    """Start the learner's file with Python, or a copy of it.
 
     :raises NoUse: there is none, or nothing in it, or it is no Python.
     """
@@ -79,7 +110,7 @@ def start_file(trial: Trial, words: str) -> Terminal:
         raise NoUse('a whole program, from its imports to its last line', 'there is nothing in the file yet')
     # A page's Python has no program of its own. There the learner's runs in this thread, up to its first `spin`.
     python = sys.executable if Path(sys.executable).stem.startswith('python') else 'python3'
-    command = f'{shlex.join([python, str(path.resolve())])} {words}'
+    command = f'{shlex.join([python, str((copy or path).resolve())])} {words}'
     return cast(Terminal, trial.call('the program', Terminal, command))
 
 
@@ -110,7 +141,10 @@ def running(trial: Trial, exercise: Exercise, words: str = '', start: Start = st
         # What ended the program explains more than what came of it.
         if wait(lambda: not terminal.is_running, LATER_SEC):
             raise NoUse('a program that goes on', describe_end(terminal, file)) from None
-        remark = STUCK if _spins(_parsed(file)) else 'Nothing spins it'
+        tree = _parsed(file)
+        remark = STUCK if _spins(tree) else 'Nothing spins it'
+        if any(isinstance(each, ast.Await) for each in ast.walk(tree)):
+            remark = f'Does it wait at an `await`? {GROUP_IS_BUSY}'
         raise NoUse('an answer', f'{error}. {remark}'.replace(namespace, '')) from None
     except NotYet as error:
         raised = '' if terminal.is_running else describe_exception(terminal.text, file)
@@ -153,9 +187,32 @@ def require_program(exercise: Exercise, file: str, see: str) -> None:
     def starts(trial: Trial) -> None:
         with running(trial, exercise):
             pass
-        if started := _started_by_import(_parsed(Path(trial.work))):
-            raise NotYet('another file can import it, and nothing starts', f'`{ast.unparse(started)}` in line '
-                         f"{started.lineno} starts the node then, too. `if __name__ == '__main__':` goes above it")
+        _expect_quiet_import(trial)
+
+
+class _Starts(BaseException):
+    """Ends an import. No Exception, lest the file's own ``except Exception`` catches it."""
+
+
+def _expect_quiet_import(trial: Trial) -> None:
+    """Expect the learner's file not to connect to ROS when it is imported."""
+    def start(*_: object, **__: object) -> None:
+        raise _Starts
+
+    path, init = str(trial.work), rclpy.init
+    rclpy.init = start
+    try:
+        trial.call('an import', runpy.run_path, path)
+    except _Starts as error:
+        number = next(number for frame, number in traceback.walk_tb(error.__traceback__)
+                      if frame.f_code.co_filename == path)
+        raise NotYet('another file can import it, and nothing starts',
+                     f'`{Path(path).read_text(encoding="utf-8").splitlines()[number - 1].strip()}` in line {number} '
+                     "starts ROS then, too. `if __name__ == '__main__':` goes above it") from None
+    except NotYet:
+        pass  # a file beside it, for one, that only a program finds
+    finally:
+        rclpy.init = init
 
 
 def require_ends(exercise: Exercise, see: str, start: Start = start_file) -> None:
@@ -202,21 +259,49 @@ def expect_no_start(trial: Trial, exercise: Exercise, words: str) -> None:
                  'declarations never sees the start values')
 
 
-def expect_said_late(trial: Trial, text: str) -> None:
-    """Expect no on-set callback to hold a text that the program logs once a value is stored.
+def expect_logs(trial: Trial, exercise: Exercise, text: str, name: str, values: Sequence[int | float],
+                other: Mapping[str, int | float], words: str = '') -> None:
+    """Expect the program to log each value of a parameter once it is stored, and nothing else.
 
-    Only the source can tell: a program is alone with its callbacks, so nothing else rejects what they have accepted.
+    :param text: What it logs, with `{}` in place of the value.
+    :param values: Two to store, one that its own rule rejects, and one that only a second judge rejects.
+    :param other: A change of something else, of the same type, which it doesn't log.
+    :param words: More words after ``--ros-args``.
     """
-    tree = _parsed(Path(trial.work))
-    functions = {each.name: each for each in ast.walk(tree) if isinstance(each, ast.FunctionDef)}
-    judges = {name for call in ast.walk(tree) if isinstance(call, ast.Call)
-              and 'add_on_set_parameters_callback' in _names(call.func) for part in call.args for name in _names(part)}
-    called = {name for judge in judges & functions.keys() for name in _names(functions[judge])}
-    for name in (judges | called) & functions.keys():
-        texts = [part.value for part in ast.walk(functions[name]) if isinstance(part, ast.Constant)]
-        expect(not any(isinstance(value, str) and text in value for value in texts),
-               f'`{text} …` once the value is stored',
-               f'`{name}` says it before: an on-set callback has only a proposal')
+    first, second, *rejected = values
+    with tempfile.TemporaryDirectory() as folder:
+        copy = _with_second_judge(Path(trial.work), Path(folder), name, rejected[-1])
+        with running(trial, exercise, words, lambda trial, words: start_file(trial, words, copy)) as program:
+            client = trial.client(program.node)
+            take_type_for_granted(client, DOUBLE if isinstance(first, float) else INTEGER, name, *other)
+            expect_rejected(trial, program.node, {name: rejected[0]})
+            client.set_parameter(name, rejected[-1])
+            expect_accepted(trial, program.node, {name: first})
+            line = program.expect_line(text.format(first), f'once `{name} = {first!r}` is stored')
+            for value in rejected:  # a reason may begin with the same words
+                expect(line.replace(text.format(first), text.format(value)) not in program.terminal.text.splitlines(),
+                       f'no line about `{name} = {value!r}`, which is rejected',
+                       f'it logs `{text.format(value)}`: an on-set callback has only a proposal')
+            before = program.terminal.text.count(text.partition('{')[0])
+            expect_accepted(trial, program.node, other)
+            expect_accepted(trial, program.node, {name: second})
+            program.expect_line(text.format(second), f'once `{name} = {second!r}` is stored')
+            lines = program.terminal.text.count(text.partition('{')[0]) - program.terminal.text.count(
+                text.format(second))
+            expect(lines == before, f'no line about `{name}` once only {", ".join(other)} has changed',
+                   f'there is one more that begins with `{text.partition("{")[0]}`')
+
+
+def _with_second_judge(path: Path, folder: Path, name: str, value: object) -> Path:
+    """Return a copy of a program with one more on-set callback, which is asked last, and rejects a value."""
+    lines = path.read_text(encoding='utf-8').splitlines(keepends=True)
+    # Docstring and __future__ have to stay in front.
+    first = next(each.lineno for each in _parsed(path).body if not isinstance(each, ast.Expr)
+                 and getattr(each, 'module', '') != '__future__')
+    lines.insert(first - 1, _SECOND_JUDGE.format(name=name, value=value, folder=str(path.resolve().parent)))
+    copy = folder / path.name
+    copy.write_text(''.join(lines), encoding='utf-8')
+    return copy
 
 
 # -- what a program says of itself ------------------------------------------------------------------------------------
@@ -268,17 +353,6 @@ def _spins(tree: ast.AST) -> bool:
     return bool(_names(tree) & _SPINS)
 
 
-def _started_by_import(tree: ast.Module) -> ast.stmt | None:
-    """Return the statement that spins a node in each file that imports this one, if there is one."""
-    spinning = {each.name for each in tree.body if isinstance(each, ast.FunctionDef) and _spins(each)}
-    for each in tree.body:
-        names = _names(each)
-        is_definition = isinstance(each, (ast.FunctionDef, ast.ClassDef))
-        if not is_definition and '__name__' not in names and (_spins(each) or names & spinning):
-            return each
-    return None
-
-
 def _why_it_ends(tree: ast.Module, is_started_itself: bool) -> str:
     """Return what to think of when a program ends without an error and without a signal.
 
@@ -286,6 +360,8 @@ def _why_it_ends(tree: ast.Module, is_started_itself: bool) -> str:
     """
     if not _spins(tree):
         return '. Nothing spins the node, so the program ends after its last line'
+    if _names(tree) & _SPINS == {'spin_once'}:
+        return '. `spin_once` waits for one callback. `spin` goes on'
     used = {each.id for each in ast.walk(tree) if isinstance(each, ast.Name)}
     texts = {each.value for each in ast.walk(tree) if isinstance(each, ast.Constant)}
     unused = [each.name for each in tree.body if isinstance(each, ast.FunctionDef) and each.name not in used]

@@ -50,6 +50,8 @@ _WHOLE_CHECK_SEC = 12.0
 
 # What to think of when no answer comes.
 STUCK = 'Does a callback wait, or loop forever?'
+GROUP_IS_BUSY = ('Until it has finished, the executor starts nothing else in the callback group of the timer that '
+                 'called it. Does the client have a group of its own?')
 # What rclpy raises for a parameter file, with rcl's own words in it.
 _NOT_A_PARAMETER_FILE = re.compile(r"Couldn't parse params file: .*? Error: (.*?), at \S+:\d+", re.DOTALL)
 # The beginning of a node's name, or of a pattern. What begins with /** reaches the corner as it is, and /** itself must
@@ -176,7 +178,9 @@ class Trial:
             is_bare = (isinstance(error, AttributeError) and isinstance(error.obj, Node)
                        and getattr(error.obj, 'handle', None) is None)
             raise NoStart('a node that starts', f'its constructor did not finish. {describe_error(error)}' + (
-                '. Does `__init__` begin with `super().__init__(…)`?' if is_bare else '')) from None
+                '. Does `__init__` begin with `super().__init__(…)`?' if is_bare else
+                '. A descriptor has its range in a list, in brackets' if "Range' object is not subs" in str(error) else
+                '')) from None
         if isinstance(self.work, type) and issubclass(node_class, self.work):
             self.names.add(node.get_name())
             _expect_sendable(node)
@@ -199,7 +203,8 @@ class Trial:
                 return self.start(node_class, ros_args=ros_args, namespace=namespace)
             except NoStart as error:
                 if match := _NOT_A_PARAMETER_FILE.search(error.happened):
-                    raise NoUse('a file that rcl can read', f'it cannot: {match[1].strip()}') from None
+                    tab = '. There is a tab in it: YAML takes spaces only' if '\t' in ''.join(files.values()) else ''
+                    raise NoUse('a file that rcl can read', f'it cannot: {match[1].strip()}{tab}') from None
                 raise
 
     def client(self, node: Node | str) -> ParameterClient:
@@ -241,17 +246,21 @@ class Trial:
         except (Exception, SystemExit) as error:
             raise NotYet(f'{what} finishes', describe_error(error)) from None
 
-    def press(self, what: str, node: Node, function: Callable[[], Any], group: CallbackGroup | None = None) -> None:
+    def press(self, what: str, node: Node, function: Callable[[], Any], group: CallbackGroup | None = None, *,
+              to_its_end: bool = True) -> None:
         """Have a timer of the learner's node call a function of theirs, once; it may be an ``async def``.
 
         :param group: The timer's callback group; by default the node's, so that what hangs there on a robot hangs here.
+        :param to_its_end: False if it may wait for good at an ``await``, where it keeps no thread.
         :raises NoUse: the function raised an exception, or did not get to its end.
         """
+        begun: list[bool] = []
         ends: list[BaseException | None] = []
 
         def begin() -> None:
             async def press_once() -> None:
                 timer.cancel()
+                begun.append(True)
                 try:
                     await await_or_execute(function)
                     ends.append(None)
@@ -262,13 +271,14 @@ class Trial:
 
         self.ros.run(begin, what)
         limit_sec = self._limit_sec()
-        if not wait(lambda: ends, limit_sec):
+        if not (wait(lambda: ends or (begun and not to_its_end), limit_sec) and ends):
             with contextlib.suppress(StuckError):
                 self.ros.run(lambda: None, what)  # interrupts a function that keeps the thread
+        if not ends and not to_its_end:
+            return
         if not ends:
-            raise NoUse(f'{what} finishes', f'it was still waiting at an `await` after {limit_sec:g} s. Until it has '
-                        'finished, the executor starts nothing else in the callback group of the timer that called '
-                        'it. Does the client have a group of its own?')
+            raise NoUse(f'{what} finishes',
+                        f'it was still waiting at an `await` after {limit_sec:g} s. {GROUP_IS_BUSY}')
         error, = ends
         if isinstance(error, (Exception, SystemExit, KeyboardInterrupt)):
             raise NoUse(f'{what} finishes', describe_error(error)) from None

@@ -11,6 +11,7 @@ UNDO = """
             if self.get_parameter('{0}').value not in ({1}, 0.0, 2.0, 0.01, 1.37):
                 self.set_parameters([Parameter('{0}', value={1})])
         self.add_post_set_parameters_callback(undo)"""
+_MAIN = 'def main():\n    try:\n        rclpy.init()\n'
 
 WRONG = {
     '3a': [
@@ -42,6 +43,7 @@ WRONG = {
         ([(f'floating_point_range=[{RANGE}]', "integer_range=[__import__('rcl_interfaces.msg').msg.IntegerRange("
            'from_value=0.0, to_value=2.0)]')], 0, "The 'from_value' field must be of type 'int', and it is `0.0`"),
         ([('to_value=2.0', 'to_value=2.0, step=0.5')], 3, 'off the step'),
+        ([(f'[{RANGE}]', RANGE)], 0, 'A descriptor has its range in a list, in brackets'),
         ([(SPEED, SPEED.replace('ParameterDescriptor(', 'ParameterDescriptor(dynamic_typing=True,'))], 3,
          'it takes values of any type'),
         ([(SPEED, "'max_speed_mps', 1.0)\n        self.add_on_set_parameters_callback(lambda ps: "
@@ -79,9 +81,20 @@ WRONG = {
         ([('ExternalShutdownException):', 'ZeroDivisionError):')], 5, 'That is what SIGTERM raises'),
         ([('\n    main()', '\n    pass')], 0, 'Nothing calls `main()`'),
         ([("== '__main__'", "== 'main'")], 0, 'two underscores'),
-        ([("if __name__ == '__main__':\n    main()", 'main()')], 5, '`main()` in line 25 starts the node then, too'),
+        ([("if __name__ == '__main__':\n    main()", 'main()')], 5, '`main()` in line 25 starts ROS then, too'),
         ([('def main():\n    try:', 'if True:\n    try:'), ("if __name__ == '__main__':\n    main()", '')], 5,
-         'starts the node then, too'),
+         'starts ROS then, too'),
+        # An import makes the node, or half of it, by whatever name.
+        ([(_MAIN, 'rclpy.init()\nnode = Kettle()\n\n\ndef main():\n    try:\n'),
+          ('rclpy.spin(Kettle())', 'rclpy.spin(node)')], 5, '`rclpy.init()` in line 17 starts ROS then, too'),
+        ([(_MAIN, 'rclpy.init()\n\n\ndef main():\n    try:\n')], 5,
+         '`rclpy.init()` in line 17 starts ROS then, too'),
+        ([('import rclpy\n', 'import rclpy\nfrom rclpy import init as begin\n'), ('        rclpy.init()\n', ''),
+          ('def main():', 'begin(args=None)\n\n\ndef main():')], 5, '`begin(args=None)` in line 18 starts'),
+        ([('        pass\n', '        pass\n    finally:\n        rclpy.try_shutdown()\n'),
+          ("if __name__ == '__main__':", "if __name__ != 'kettle':")], 5, '`main()` in line 28 starts ROS then, too'),
+        ([('def main():\n', 'def connect():\n    rclpy.init()\n\n\ndef main():\n'), ('        rclpy.init()\n', ''),
+          ('if __name__', 'connect()\nif __name__')], 5, '`connect()` in line '),
         ([('        rclpy.init()\n', '')], 0, 'Call `rclpy.init()` before'),
         ([('rclpy.init()', 'rclpy.init(args=[])')], 0, 'Does `rclpy.init()` get arguments'),
         ([('rclpy.spin(Kettle())', 'kettle = Kettle()\n        while True:\n            pass')], 0,
@@ -95,6 +108,7 @@ WRONG = {
         ([('        pass', '        raise SystemExit(1)')], 4, 'its exit status is 1'),
         ([('{target_c}', '80.0')], 5, '[kettle]: heating to 80.0 degrees'),
         ([('to_value=100.0', 'to_value=110.0')], 5, 'accepted target_c = 100.1'),
+        ([('from_value=20.0, to_value=100.0', 'from_value=20, to_value=100')], 5, 'A float has a dot'),
         ([("super().__init__('kettle')", "while True:\n            __import__('time').sleep(0.1)")], 0,
          'none has come after 15 s'),
     ],
@@ -142,5 +156,8 @@ RIGHT = {
           'def Kettle():\n        self = Node'),
          (" degrees')", " degrees')\n        return self")],
         [('def main():', 'def main(args=None):'), ('rclpy.init()', 'rclpy.init(args=args)')],
+        [("if __name__ == '__main__':\n    main()", "IS_PROGRAM = __name__ == '__main__'\nif IS_PROGRAM:\n    main()")],
+        [("if __name__ == '__main__':\n    main()", "if __name__ != '__main__':\n    pass\nelse:\n    raise SystemExit("
+          'main())')],
     ],
 }

@@ -16,9 +16,14 @@ _SKIP = "            if parameter.name not in ('open_percent', 'force_percent'):
 _MOTOR = "        self.motor_percent = self.get_parameter('open_percent').value"
 _MOTOR_REACT = f'def react(self, parameters):\n{_MOTOR}'
 
+_LATE = '        return SetParametersResult(successful'
+_NO_REACT = ('        self.add_post_set_parameters_callback(self.react)\n', '')
+_LATER = 'in the call that stores it, and follows later'
+_PROPOSAL = 'an on-set callback has only a proposal'
+
 WRONG = {
     '5.2a': [
-        ([(_REGISTER_JUDGE, '')], 4, 'it was accepted'),
+        ([(_REGISTER_JUDGE, '')], 4, 'No callback of yours is asked'),
         ([(_PROPOSED, 'proposed = {parameters[0].name: parameters[0].value}')], 4, 'it was accepted'),  # one of two
         ([('add_post_set_parameters_callback(self.react)', 'add_on_set_parameters_callback(self.judge_late)'),
           (_AT_THE_START, '        self.judge_late([])\n'),
@@ -41,6 +46,15 @@ WRONG = {
                    f'{_START}'),
           (_REACT, "self.target_c = (self.noted['low_c'] + self.noted['high_c']) / 2")], 5,
          'a value that was rejected has come through'),
+        # Follows by an event, which the handler of rclpy or a subscription brings, or by a timer: each is late.
+        ([(_REGISTER_REACT, '        from rclpy.parameter_event_handler import ParameterEventHandler\n'
+           '        self.handler = ParameterEventHandler(self)\n'
+           '        self.kept = self.handler.add_parameter_event_callback(self.react)\n')], 4, _LATER),
+        ([(_REGISTER_REACT, "        from rcl_interfaces.msg import ParameterEvent\n"
+           "        self.create_subscription(ParameterEvent, '/parameter_events', self.react, 10)\n")], 4, _LATER),
+        ([(_REGISTER_REACT, '        self.create_timer(0.0001, lambda: self.react([]))\n')], 4, 'it is `20.0`'),
+        ([(_REACT, f'self.executor.create_task(self.later)\n\n    def later(self):\n        {_REACT}'),
+          (_AT_THE_START, '        self.later()\n')], 4, 'it is `20.0`'),
         ([(_REACT, _REACT.replace(' / 2', ' // 2'))], 4, 'it is `27`'),
         ([(_REACT, 'low_c, high_c = [p.value for p in parameters] or (18, 22)\n'
                    '        self.target_c = (low_c + high_c) / 2')],
@@ -78,6 +92,8 @@ WRONG = {
         ([(_MOTOR_REACT,
            'def react(self, parameters):\n        self.motor_percent = parameters[0].value\n')], 3, 'it is `20`'),
         ([('self.motor_percent = self', 'self.motor = self')], 3, 'it is `None`'),
+        ([(_REGISTER_REACT, "        from rcl_interfaces.msg import ParameterEvent\n"
+           "        self.create_subscription(ParameterEvent, '/parameter_events', self.react, 10)\n")], 3, _LATER),
         ([('            if parameter.name', '            from rcl_interfaces.msg import ParameterType\n'
            '            if parameter.type_ != ParameterType.PARAMETER_INTEGER:\n'
            "                return SetParametersResult(successful=False, reason='not an integer')\n"
@@ -112,11 +128,31 @@ WRONG = {
         ([("proposed.get('top_floor', self.get_parameter('top_floor').value)",
            "self.get_parameter('top_floor').value")], 5, 'it was accepted'),
         ([('        self.add_on_set_parameters_callback(self.validate)\n', '')], 4, 'it was accepted'),
-        # It logs no rejected floor, and still too early.
-        ([('        return SetParametersResult(successful',
-           '        if not reason:\n            self.get_logger().info("going to floor 3")\n'
-           '        return SetParametersResult(successful'),
-          ('        self.add_post_set_parameters_callback(self.react)\n', '')], 6, '`validate` says it before'),
+        # It logs no rejected floor, and still too early: there, by a constant, and by a helper of a helper.
+        ([(_LATE, '        if not reason:\n            self.react(parameters)\n' + _LATE), _NO_REACT], 6, _PROPOSAL),
+        ([(_LATE, '        if not reason:\n            self.react(parameters)\n' + _LATE), _NO_REACT,
+          ('    def __init__', "    WORDS = 'going to floor'\n\n    def __init__"),
+          ("f'going to floor {parameter.value}'", "f'{self.WORDS} {parameter.value}'")], 6, _PROPOSAL),
+        ([(_LATE, '        if not reason:\n            self.tell(parameters)\n' + _LATE), _NO_REACT,
+          ('    def react', '    def tell(self, parameters):\n        self.react(parameters)\n\n    def react')],
+         6, _PROPOSAL),
+        ([(_LATE, "        for p in parameters:\n            if p.name == 'floor' and not reason:\n"
+                  "                print('going to floor', p.value)\n" + _LATE), _NO_REACT], 6, _PROPOSAL),
+        ([('add_on_set_parameters_callback(self.validate)', 'add_pre_set_parameters_callback(self.early)'),
+          ('    def react', '    def early(self, parameters):\n        if self.validate(parameters).successful:\n'
+           '            self.react(parameters)\n            return parameters\n        return []\n\n    def react'),
+          _NO_REACT], 6, _PROPOSAL),
+        # It logs what has not changed, what the exercise's text says, and in other words.
+        ([("            if parameter.name == 'floor':\n                self.get_logger().info(f'going to floor "
+           "{parameter.value}')", "            self.get_logger().info(f'going to floor "
+           """{self.get_parameter("floor").value}')""")], 6, 'there is one more that begins with `'),
+        ([("if parameter.name == 'floor':", 'if True:')], 6,
+         'there is one more that begins with `'),
+        ([('going to floor {parameter.value}', 'going to floor 3')], 6, 'going to floor 3'),
+        ([('going to floor {parameter.value}', 'going to {parameter.value}')], 6, 'going to 1'),
+        # It starts below the ground.
+        ([('        reason = self.objection({})', "        reason = self.objection({}) if self.get_parameter('floor')"
+           ".value > 0 else ''")], 6, 'never sees the start values'),
         ([('        self.add_post_set_parameters_callback(self.react)\n', '')], 6, 'it prints nothing'),
         ([('reason=reason)', "reason='')")], 4, 'the reason is empty'),
         ([('{p.name: p.value for', '{p.name: p.valeu for')], 1, 'in line 25, `reason = '),
@@ -138,6 +174,13 @@ RIGHT = {
         [(_REGISTER_REACT, ''), (_AT_THE_START, ''),
          ('    def react(self, parameters):\n        self.target_c =',
           '    @property\n    def target_c(self):\n        return')],
+        # By two callbacks, one for each name.
+        [(_REGISTER_REACT, "        for name in ('low_c', 'high_c'):\n            self.add_post_set_"
+          'parameters_callback(lambda ps, name=name: self.react(ps) if name in [p.name for p in ps] else None)\n')],
+        # By what sets it, from inside or outside.
+        [(_REGISTER_REACT, ''),
+         ('    def react', '    def set_parameters_atomically(self, parameters):\n        result = super()'
+          '.set_parameters_atomically(parameters)\n        self.react([])\n        return result\n\n    def react')],
         # It judges before anything is checked; an empty list is a rejection.
         [('add_on_set_parameters_callback(self.validate)', 'add_pre_set_parameters_callback(self.validate)'),
          (_START, "        if not self.validate(self.get_parameters(['low_c', 'high_c'])):\n"
@@ -193,5 +236,19 @@ RIGHT = {
           "proposed.get('top_floor', self.get_parameter_or('top_floor', Parameter('top_floor', value=5)).value)"),
          ('import Node\n', 'import Node\nfrom rclpy.parameter import Parameter\n')],
         [('        pass', '        print()')],
+        # The reason begins like the line, and is logged; so is the start; and there is more in the line.
+        [("f'there is no floor {floor}: the top floor is {top_floor}'",
+          "f'going to floor {floor} is impossible: the top is {top_floor}'"),
+         ('        return SetParametersResult(successful', '        if reason:\n            self.get_logger().info('
+          'reason)\n        return SetParametersResult(successful')],
+        [('        self.add_on_set', "        self.get_logger().info('going to floor 0')\n        self.add_on_set"),
+         ('{parameter.value}', '{parameter.value} of {self.get_parameter("top_floor").value}')],
+        [("f'there is no floor {floor}: the top floor is {top_floor}'", "f'not going to floor {floor}'")],
+        [('{p.name: p.value for p in parameters})', "{p.name: p.value for p in parameters})\n"
+          "        self.get_logger().debug('somebody asks for going to floor …')")],
+        [('import rclpy\n', '"""An elevator."""\n\nfrom __future__ import annotations\n\nimport rclpy\n')],
+        # It tells of a floor only if that is another one.
+        [("if parameter.name == 'floor':", "if parameter.name == 'floor' and parameter.value != "
+          "getattr(self, 'last', None):\n                self.last = parameter.value")],
     ],
 }

@@ -8,6 +8,8 @@ CLIENT = "self.client = self.create_client(SetParametersAtomically, '/rover/set_
 READ = ('    return {parameter.name: result.reason\n            for parameter, result in zip(parameters, results)\n'
         '            if not result.successful}')
 
+_SLOW = 'again and again an answer takes '
+
 
 def in_group(group: str) -> str:
     """Return the line that creates the client, in a callback group."""
@@ -73,6 +75,17 @@ WRONG = {
         ([(ASK, 'future = self.client.call_async(request)\n        while not future.done():\n            pass\n'
            '        self.on_answer(future)')], 0, 'it was still running after some seconds'),
         ([(ASK, f'import time\n        time.sleep(0.5)\n        {ASK}')], 0, 'time.sleep() blocks the thread'),
+        # Waits for a rover that is not there: for good, for a while, in a loop, in the constructor, or dies of it.
+        ([(ASK, f'while not self.client.wait_for_service(timeout_sec=1.0):\n            pass\n        {ASK}')], 2,
+         'So does whatever sleeps inside, as wait_for_service() does'),
+        ([(ASK, f'self.client.wait_for_service()\n        {ASK}')], 2, 'as wait_for_service() does'),
+        ([(ASK, f'if not self.client.wait_for_service(timeout_sec=0.1):\n            return\n        {ASK}')], 2,
+         'as wait_for_service() does'),
+        ([(ASK, f'while not self.client.service_is_ready():\n            pass\n        {ASK}')], 2,
+         'it was still running after some seconds'),
+        ([(f'{CLIENT}\n', f'{CLIENT}\n        self.client.wait_for_service()\n')], 2, 'it was still running after'),
+        ([(ASK, f'if not self.client.service_is_ready():\n            raise RuntimeError("no rover")\n        {ASK}')],
+         2, 'RuntimeError: no rover'),
         ([('value=0.2)]', "value=0.2), Parameter('use_sim_time', value=False)]")], 2,
          'it is asked for `use_sim_time` too'),
         # Too early: the answer has not come.
@@ -130,6 +143,13 @@ WRONG = {
     '5.3d': [
         ([('        self.create_timer(0.5, self.ask)', '        self.getter.wait_for_service()\n        '
            'self.create_timer(0.5, self.ask)')], 0, 'Does a callback wait, or loop forever?'),
+        # Waits in the timer: for a while, for the shortest one, and for whatever reason.
+        ([('self.getter.service_is_ready() and', 'self.getter.wait_for_service(timeout_sec=1.0) and')], 7, _SLOW),
+        ([('self.getter.service_is_ready() and', 'self.getter.wait_for_service(timeout_sec=0.1) and')], 7, _SLOW),
+        ([('    def ask(self):\n', "    def ask(self):\n        __import__('time').sleep(0.3)\n")], 7, _SLOW),
+        # Seldom, and at the limit, too.
+        ([('create_timer(0.5', 'create_timer(1.0')], 7, 'it has been asked '),
+        ([('integer_value > limit_rpm', 'integer_value >= limit_rpm')], 7, 'the guard has set `max_speed_rpm` to 50'),
         ([('integer_value > limit_rpm', 'integer_value < limit_rpm')], 4, 'it holds 100'),
         ([('limit_rpm = self.get_parameter(', 'limit_rpm = 60 or self.get_parameter(')], 7, 'it holds 60, after'),
         ([('integer_value > limit_rpm', 'integer_value != limit_rpm')], 7, 'the guard has set `max_speed_rpm` to 60'),
@@ -180,6 +200,16 @@ RIGHT = {
                '        self.timer = self.create_timer(0.05, self.look)'),
          ('    def on_answer', '    def look(self):\n        if self.future.done():\n            self.timer.cancel()\n'
                              '            self.on_answer(self.future)\n\n    def on_answer')],
+        # It looks whether the rover is there, and waits for it without keeping the thread.
+        [(ASK, f'if self.client.service_is_ready():\n            {ASK}')],
+        [(ASK, f'if not self.client.wait_for_service(timeout_sec=0.0):\n            return\n        {ASK}')],
+        [(ASK, f'if not self.client.service_is_ready():\n            self.get_logger().warning("no rover")\n'
+               f'            return\n        {ASK}')],
+        [('        wanted = [', '        if not self.client.service_is_ready():\n            self.later = '
+          'self.create_timer(0.1, self.again)\n            return\n        wanted = ['),
+         ('    def on_answer', '    def again(self):\n        self.later.cancel()\n        self.slow_down()\n\n'
+          '    def on_answer')],
+        [(f'{CLIENT}\n', f'{CLIENT}\n        self.client.wait_for_service(timeout_sec=0.3)\n')],
         # It asks only when nothing seems to be on its way: a timer is, and so is a thread.
         [(ASK, 'self.timer = self.create_timer(0.8, lambda: self.ask(request))'),
          ('    def on_answer', '    def ask(self, request):\n        self.timer.cancel()\n'
@@ -218,6 +248,12 @@ RIGHT = {
         [('SetParameters.Request', 'SetParametersAtomically.Request'), ('SetParameters, ', 'SetParametersAtomically, '),
          ('GetParameters, SetParameters\n', 'GetParameters, SetParametersAtomically\n'),
          ("'/rover/set_parameters'", "'/rover/set_parameters_atomically'"), ('.results[0]', '.result')],
+        # It looks without waiting.
+        [('self.getter.service_is_ready() and', 'self.getter.wait_for_service(timeout_sec=0.0) and')],
+        # Not while an answer is on its way, and a bit more often.
+        [('        if self.getter.service_is_ready() and', "        if getattr(self, 'open', None) and not self.open."
+          'done():\n            return\n        if self.getter.service_is_ready() and'),
+         ('            future =', '            self.open = future ='), ('create_timer(0.5', 'create_timer(0.4')],
         # The client that rclpy brings.
         [('self.setter.call_async(request)', "AsyncParameterClient(self, '/rover').set_parameters([parameter])"),
          ('import Parameter\n', 'import Parameter\nfrom rclpy.parameter_client import AsyncParameterClient\n')],

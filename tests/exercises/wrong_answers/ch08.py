@@ -41,6 +41,10 @@ WRONG = {
         ([("    def react(self, parameters):\n        self.motor_mps = self.get_parameter('belt.speed_mps').value",
            "    def react(self, parameters):\n        if parameters[0].name == 'belt.speed_mps':\n"
            '            self.motor_mps = parameters[0].value')], 6, 'it is `0.6`'),
+        ([('        self.add_post_set_parameters_callback(self.react)\n',
+           '        from rcl_interfaces.msg import ParameterEvent\n'
+           "        self.create_subscription(ParameterEvent, '/parameter_events', self.react, 10)\n")], 6,
+         'in the call that stores it, and follows later'),
         ([("'belt.gap_m', 0.5,", "'belt.gap_m', 1.0,")], 6, 'it is `1.0`'),
         ([("'CB-0007'", "'CB-0008'")], 6, "it is `'CB-0008'`"),
         ([('from_value=0.0, to_value=2.0', 'from_value=0, to_value=2')], 6, 'A float has a dot'),
@@ -92,9 +96,18 @@ WRONG = {
         ([('        return SetParametersResult(successful',
            '        if not reason:\n            self.react(parameters)\n'
            '        return SetParametersResult(successful'),
-          ('        self.add_post_set_parameters_callback(self.react)\n', '')], 7, '`react` says it before'),
-        ([('drum turns at', 'speed:')], 7, 'speed: 12.5 rpm'),
-        ([("if __name__ == '__main__':\n    main()", 'main()')], 7, 'starts the node then, too'),
+          ('        self.add_post_set_parameters_callback(self.react)\n', '')], 7,
+         'an on-set callback has only a proposal'),
+        ([('drum turns at', 'speed:')], 7, 'speed: 17.5 rpm'),
+        ([('{parameter.value} rpm', '12.5 rpm')], 7, 'drum turns at 12.5 rpm'),
+        # Of the tilt, too.
+        ([("if parameter.name == 'drum.speed_rpm':", 'if True:')], 7, 'there is one more that begins with `'),
+        # An import makes the node.
+        ([('def main():\n    try:\n        rclpy.init()\n',
+           'rclpy.init()\nmixer = Mixer()\n\n\ndef main():\n    try:\n'),
+          ('rclpy.spin(Mixer())', 'rclpy.spin(mixer)')], 7,
+         '`rclpy.init()` in line '),
+        ([("if __name__ == '__main__':\n    main()", 'main()')], 7, 'starts ROS then, too'),
         ([('        self.add_post_set_parameters_callback(self.react)\n', '')], 7, 'it prints nothing'),
     ],
 }
@@ -139,6 +152,10 @@ RIGHT = {
     ],
     '8d': [
         [("super().__init__('mixer')", "super().__init__('mixer')\n        self.get_logger().info('mixing')")],
+        # Its reason begins like the line.
+        [("'above 20 rpm the tilt is at most 30 degrees'", "f'no drum turns at {speed_rpm} rpm when it is tilted'"),
+         ('        return SetParametersResult(successful', '        print(reason)\n        return SetParametersResult('
+          'successful')],
         [("f'drum turns at {parameter.value} rpm'", '"drum turns at %.1f rpm" % parameter.value')],
         [('raise ValueError(reason)', 'raise SystemExit(reason)')],
         [('rclpy.spin(Mixer())', 'mixer = Mixer()\n        rclpy.spin(mixer)'),

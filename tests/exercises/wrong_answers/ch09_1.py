@@ -21,6 +21,12 @@ WRONG = {
         ([("        self.unit = self.get_parameter('unit').value\n", "        self.unit = 'C'\n")], 2, "it is `'C'`"),
         ([('        self.add_post_set_parameters_callback(self.react)\n', '')], 3, 'it is `60.0`'),
         ([("'targets_c.", "'targets_c/")], 2, 'the node has none of that name'),
+        # By an event, which comes later.
+        ([('        self.add_post_set_parameters_callback(self.react)\n',
+           '        from rclpy.parameter_event_handler import ParameterEventHandler\n'
+           '        self.handler = ParameterEventHandler(self)\n'
+           "        self.kept = self.handler.add_parameter_callback('limit_c', self.get_fully_qualified_name(), "
+           'self.react)\n')], 3, 'in the call that stores it, and follows later'),
         ([("        self.declare_parameter('unit', 'C')\n", ''),
           ("self.get_parameter('unit').value", "self.get_parameter_or('unit', Parameter('unit', value='C')).value"),
           ('class Heater', 'from rclpy.parameter import Parameter\n\n\nclass Heater')],

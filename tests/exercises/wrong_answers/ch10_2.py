@@ -51,6 +51,12 @@ WRONG = {
            '                   for name in answer.result.names]\n'
            '        for name, future in futures:\n            values = (await future).values\n')], 2,
          '36 were, and the client keeps the last 10 answers'),
+        # Waits for a rover that is not there.
+        ([(READ, f'        while not self.list_client.wait_for_service(timeout_sec=1.0):\n            pass\n{READ}')],
+         2, 'as wait_for_service() does'),
+        ([(READ, f'        self.list_client.wait_for_service()\n        self.get_client.wait_for_service()\n{READ}')],
+         2, 'as wait_for_service() does'),
+        ([(READ, f'        import time\n        time.sleep(0.2)\n{READ}')], 2, 'time.sleep() blocks the thread'),
         # All at once: one that is not set empties the answer.
         ([(READ, '        names = (await self.list_client.call_async(ListParameters.Request())).result.names\n'
                  '        values = (await self.get_client.call_async(GetParameters.Request(names=names))).values\n'
@@ -165,6 +171,7 @@ RIGHT = {
         # What is not set is there with None.
         [('parameter_value_to_python(values[0])', 'parameter_value_to_python(values[0])\n'
           '            else:\n                self.found[name] = None')],
+        [(READ, f'        if not self.list_client.service_is_ready():\n            return\n{READ}')],
         # Later, by a timer with a callback group of its own.
         [('async def inspect(self):\n',
           'def inspect(self):\n        from rclpy.callback_groups import ReentrantCallbackGroup\n'

@@ -21,6 +21,11 @@ WRONG = {
         ([(_RESTORE, "restore(client, {'low_c': -5, 'high_c': 40})\n")], 1, '`low_c` is `-5` and was `10`'),
         ([(_COMPARE, 'changed = compare(client, then)\n')], 1, '`low_c` from `-30` to `-5`'),
         ([(_COMPARE, 'compare(then, client)\n')], 1, 'it is `None`'),
+        # One by one.
+        ([(_SET, "client.set_parameters({'low_c': -30, 'high_c': -10})\n")], 1,
+         'the requests are, one after the other, `low_c = -30`; `high_c = -10`; `'),
+        ([(_SET, "client.set_parameter('low_c', -30)\nclient.set_parameter('high_c', -10)\n")], 1,
+         '`low_c = -30`; `high'),
         # Never ends.
         ([(_RESTORE, 'while True: pass\n')], 0, 'was still running'),
     ],
@@ -58,7 +63,11 @@ WRONG = {
 RIGHT = {
     '10.5a': [
         [("client.set_parameters_atomically({'low_c': -30, 'high_c': -10})",
-          "client.set_parameters({'low_c': -30, 'high_c': -10})")],
+          'winter = dict(high_c=-10, low_c=-30)\nclient.set_parameters_atomically(winter).raise_for_reason()')],
+        # A try before it, and other ways back.
+        [(_SET, "client.set_parameter('low_c', -6)\n" + _SET)],
+        [(_RESTORE, "client.set_parameters({'high_c': then['high_c'], 'low_c': then['low_c']})\n")],
+        [(_RESTORE, "client.set_parameter('high_c', then['high_c'])\nclient.set_parameter('low_c', then['low_c'])\n")],
         [(_COMPARE + _RESTORE, 'now = ParameterSet.of(client)\nrestore(client, then)\nchanged = compare(then, now)\n')],
         [(_RESTORE, 'client.set_parameters_atomically({name: then[name] for name in ("low_c", "high_c")})\n')],
         [('\n', '\n\n'), ('restore(client, then)', '# and back\nrestore(client, dict(then))')],

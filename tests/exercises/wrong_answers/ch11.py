@@ -118,6 +118,7 @@ WRONG = {
         ([('set_parameters_atomically', 'set_parameters')], 0, '1 m/s and 1 m/s²'),
         ([("'max_speed_mps': 2.0, 'max_acceleration_mps2': 1.0", "'max_speed_mps': 1.8, 'max_acceleration_mps2': 1.4")],
          2, 'there is a gentler one'),
+        ([("'max_acceleration_mps2': 1.0", "'max_acceleration_mps2': 2.0")], 2, 'since 7.00 s are less than 8 s'),
         ([("set_parameters_atomically({'max_speed_mps': 2.0, 'max_acceleration_mps2': 1.0})",
            "set_parameters({'max_acceleration_mps2': 1.0, 'max_speed_mps': 2.0})")], 2, '2 requests, with 1 and 1'),
         ([("'max_acceleration_mps2': 1.0", "'max_acceleration_mps2': 3.0")], 0, '14.00 s'),

@@ -41,7 +41,7 @@ def expect_limited(trial: Trial, wheel: Any, wanted_rpm: float, allowed_rpm: int
     goal = min(wanted_rpm, allowed_rpm)
     because = next((f'. {text}' for value, text in wrong.items() if values.same(value, given)), '')
     expect(isinstance(given, (int, float)) and given == goal, f'`limited({wanted_rpm})` is `{goal}`',
-           f'it is {_format_given(given)}{because}')
+           f'it is {_format_given(given)}{because}{". Does the method return it?" if given is None else ""}')
 
 
 @read.require('`limited(500)` is 100 at the start, and any speed below that comes back as it is', see=OBJECT)

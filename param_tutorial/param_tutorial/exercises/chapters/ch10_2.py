@@ -13,6 +13,7 @@ from param_tools import values
 from param_tools.errors import NoAnswerError
 from param_tools.node.client import ParameterValues
 from param_tools.systems.snapshot import Snapshot
+from param_tutorial.exercises.chapters.ch05_3 import expect_no_wait
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import NotesQuestions, expect_no_gap, start_asking
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
@@ -117,6 +118,7 @@ def found_in(trial: Trial, rover_class: type[Node]) -> None:
 @inspect.require('`self.found` holds every parameter with its value, and `inspect()` does not block', see=BY_NAME)
 def everything(trial: Trial) -> None:
     found_in(trial, Rover)
+    expect_no_wait(trial, 'inspect')
 
 
 @inspect.require('whatever the parameters are called, and however many there are', see=LIST_FIRST)

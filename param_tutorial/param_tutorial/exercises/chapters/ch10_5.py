@@ -4,8 +4,9 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from rcl_interfaces.msg import ParameterDescriptor
+from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 
 from param_tools import values
 from param_tools.node.rules import Rules
@@ -38,7 +39,14 @@ class Robot(Node):
         self.declare_parameter('mode', 'careful')
         self.declare_parameter('low_c', -5)
         self.declare_parameter('high_c', 40)
+        self.requests: list[dict[str, object]] = []
         Rules(self).check(['low_c', 'high_c'], lambda low, high: low < high, 'low_c must be below high_c')
+        self.add_on_set_parameters_callback(self.note)
+
+    def note(self, parameters: list[Parameter]) -> SetParametersResult:
+        # It is called for each parameter of set_parameters, and once for set_parameters_atomically.
+        self.requests.append({each.name: each.value for each in parameters})
+        return SetParametersResult(successful=True)
 
 
 def _asked(what: Any) -> Any:
@@ -62,8 +70,8 @@ SetInCorner.__name__ = ParameterSet.__name__
 STARTS: tuple[Sequence[str], ...] = ((), ('-p', 'low_c:=10', '-p', 'high_c:=20'))
 
 
-def tried(trial: Trial, ros_args: Sequence[str]) -> tuple[Any, ParameterSet, ParameterSet]:
-    """Run the learner's lines beside a robot; return what they call `changed`, and the robot's set before and after."""
+def tried(trial: Trial, ros_args: Sequence[str]) -> tuple[Robot, Any, ParameterSet, ParameterSet]:
+    """Run the learner's lines beside a robot; return it, what they call `changed`, and its set before and after."""
     robot = trial.start(Robot, ros_args=ros_args)
     client = trial.client(robot)
     before = ParameterSet.of(client)
@@ -71,17 +79,20 @@ def tried(trial: Trial, ros_args: Sequence[str]) -> tuple[Any, ParameterSet, Par
         trial, ParameterClient=ClientInCorner, ParameterSet=SetInCorner,
         compare=lambda before, after, **options: compare(_asked(before), _asked(after), **options),
         restore=lambda node, wanted, **options: restore(_asked(node), wanted, **options))
-    return space.get('changed'), before, ParameterSet.of(client)
+    return robot, space.get('changed'), before, ParameterSet.of(client)
 
 
 @experiment.require('the lines run to their end, and `changed` shows what the winter changes', see=FOUR)
 def notes_the_change(trial: Trial) -> None:
     for ros_args in STARTS:
-        changed, before, _ = tried(trial, ros_args)
+        robot, changed, before, _ = tried(trial, ros_args)
         wanted = {name: (before[name], value) for name, value in WINTER.items()}
         expect(isinstance(changed, Difference), '`changed` is what `compare` returns', f'it is `{changed!r}`')
         found = {each.name: (each.before, each.after) for each in changed}
         expect(found == wanted, 'in `changed`: ' + _differences(wanted), _differences(found) or 'it is empty')
+        held = [', '.join(f'`{name} = {value!r}`' for name, value in each.items()) for each in robot.requests]
+        expect(WINTER in robot.requests, 'both ends of the winter in one request',
+               f'the requests are, one after the other, {"; ".join(held)}')
 
 
 def _differences(found: dict[str, tuple[Any, Any]]) -> str:
@@ -91,7 +102,7 @@ def _differences(found: dict[str, tuple[Any, Any]]) -> str:
 @experiment.require('afterwards the robot is as it was before', see=BACK)
 def leaves_it_alone(trial: Trial) -> None:
     for ros_args in STARTS:
-        _, before, after = tried(trial, ros_args)
+        _, _, before, after = tried(trial, ros_args)
         expect(before == after, 'the values from before',
                ', '.join(f'`{each.name}` is `{each.after!r}` and was `{each.before!r}`'
                          for each in compare(before, after)))
