@@ -104,3 +104,11 @@ def test_what_is_tested_is_what_a_learner_gets_and_a_learner_gets_no_more():
     assert set(entries('requirements.lock')) < set(entries('requirements-dev.lock'))
     names = {re.match(r'[a-z0-9-]+', entry)[0] for entry in entries('requirements.lock')}
     assert not names & {'playwright', 'sphinx', 'hypothesis', 'ruff', 'lark-parser'}
+
+
+def test_pages_name_the_addresses_that_are_set_and_no_placeholder():
+    readers, others = ('README.md', 'notebooks/index.md'), ('param_tutorial/param_tools', 'environment/jupyterhub')
+    for page in (*readers, *(f'{folder}/README.md' for folder in others)):
+        text = (ROOT / page).read_text()
+        assert 'ADDRESS-OF' not in text, page
+        assert page not in readers or all(url in text for url in PYPROJECT['project'].get('urls', {}).values()), page
