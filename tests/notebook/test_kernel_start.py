@@ -5,7 +5,7 @@ from IPython.core.interactiveshell import InteractiveShell
 
 from param_tutorial.notebook import kernel_start
 
-ABOVE = 'Run → Run All Above Selected Cell.'
+ABOVE = 'run it first (in JupyterLab: Run → Run All Above Selected Cell).'
 
 
 @pytest.fixture
@@ -16,8 +16,8 @@ def shell():
 
 
 @pytest.mark.parametrize(('cell', 'words'), [
-    ('panel.reset()', f'If a cell above defines panel, run it first: {ABOVE}\n'),
-    ('%ros2 param list', f'The first cell of the notebook makes %ros2 known; run it first: {ABOVE}\n'),
+    ('panel.reset()', f'If a cell above defines panel, {ABOVE}\n'),
+    ('%ros2 param list', f'The first cell of the notebook makes %ros2 known; {ABOVE}\n'),
     ('import rclpy.node\nget_logger()', 'A Node has get_logger: do you mean self.get_logger?\n'),
     ('def f():\n    print(x)\n    x = 1\nf()', ''),
     ('%unheard_of', ''),

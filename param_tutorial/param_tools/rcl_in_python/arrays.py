@@ -5,6 +5,7 @@ A web page has no numpy unless it is loaded, 3 MB for two fields that no lesson 
 
 import types
 from collections.abc import Iterable
+from typing import NoReturn
 
 
 class uint8(int):  # as numpy calls it
@@ -31,10 +32,16 @@ class ndarray(list[int]):  # as numpy calls it
         return [one != another for one, another in zip(self, other, strict=True)]  # type: ignore[call-overload]
 
 
+def _miss(name: str) -> NoReturn:
+    """Say of everything else that there is no numpy; Python itself asks for names with underscores."""
+    raise AttributeError(name) if name[0] == '_' else ModuleNotFoundError("No module named 'numpy'", name='numpy')
+
+
 def make() -> types.ModuleType:
     """Return a module to be imported as numpy."""
     module = types.ModuleType('numpy', __doc__)
     vars(module).update(
         ndarray=ndarray, uint8=uint8, array=ndarray, zeros=lambda count, dtype=uint8: ndarray([0] * count, dtype),
-        all=all, float64=float)  # IPython looks for the last one wherever there is a numpy
+        all=all, float64=float,  # IPython looks for the last one wherever there is a numpy
+        __getattr__=_miss)
     return module

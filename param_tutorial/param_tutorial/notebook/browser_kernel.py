@@ -8,10 +8,11 @@ import asyncio
 import json
 import os
 import sys
+from functools import partial
 from pathlib import Path
 from typing import NoReturn
 
-from IPython.core.interactiveshell import InteractiveShell
+from IPython.core.interactiveshell import ExecutionResult, InteractiveShell
 
 from param_tools.errors import NoProcessError
 from param_tools.rcl_in_python import install
@@ -41,15 +42,30 @@ def load_ipython_extension(shell: InteractiveShell) -> None:
     stored.offer(json.loads(cells.read_text(encoding='utf-8')))
     for name in ('system', 'getoutput'):
         setattr(shell, name, _run_no_command)
+    for name, kind, why in (('%%bash', 'cell', NO_SHELL), ('%%sh', 'cell', NO_SHELL), ('%%script', 'cell', NO_SHELL),
+                            ('%pip', 'line', 'there is no network in a web page')):
+        shell.magics_manager.register_function(partial(_run_no_command, name, why), kind, name.strip('%'))
+    os._exit = partial(_run_no_command, 'os._exit()', "it would end this page's Python")
     host = turns.install()
     shell.events.register('pre_run_cell', lambda _: host.settle())
-    shell.events.register('post_run_cell', kernel_start.after_cell)
+    shell.events.register('post_run_cell', _after_cell)
     _tasks.add(asyncio.ensure_future(_live(host)))
 
 
-def _run_no_command(command: str, **_: object) -> NoReturn:
-    """Say what ``!`` would need."""
-    raise NoProcessError(f'{NO_SHELL}, so {command!r} does not run here')
+def _run_no_command(command: str, why: str = NO_SHELL, *_: object, **__: object) -> NoReturn:
+    """Say what ``!`` would need, or another command."""
+    raise NoProcessError(f'{why}, so {command!r} does not run here')
+
+
+def _after_cell(result: ExecutionResult) -> None:
+    """Say of an error what a page does without, if that is the reason."""
+    kernel_start.after_cell(result)
+    error = result.error_in_exec
+    if isinstance(error, ModuleNotFoundError):
+        print(f"Nothing can be installed in a web page, so {error.name} isn't here. In JupyterLab on your own computer "
+              '(make lab), it can be installed.', file=sys.stderr)
+    elif isinstance(error, RuntimeError) and 'start new thread' in str(error):
+        print('A web page has no threads. A timer of a node runs beside the cells here, too.', file=sys.stderr)
 
 
 async def _live(host: turns.Turns) -> None:

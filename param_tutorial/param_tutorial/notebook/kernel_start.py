@@ -11,6 +11,8 @@ from IPython.core.interactiveshell import ExecutionResult, InteractiveShell
 
 from param_tutorial.notebook import newest_kernel
 
+_ABOVE = 'run it first (in JupyterLab: Run → Run All Above Selected Cell).'
+
 
 def load_ipython_extension(shell: InteractiveShell) -> None:
     """Let the kernel begin so; IPython calls this when it starts, as ``environment/lab.py`` tells it."""
@@ -24,8 +26,6 @@ def after_cell(result: ExecutionResult) -> None:
     if type(error) is NameError:
         node = getattr(sys.modules.get('rclpy.node'), 'Node', None)
         print(f'A Node has {error.name}: do you mean self.{error.name}?' if hasattr(node, str(error.name)) else
-              f'If a cell above defines {error.name}, run it first: Run → Run All Above Selected Cell.',
-              file=sys.stderr)
+              f'If a cell above defines {error.name}, {_ABOVE}', file=sys.stderr)
     elif isinstance(error, UsageError) and (magic := re.search('`(%%?(ros2|shell)[^`]*)` not found', str(error))):
-        print(f'The first cell of the notebook makes {magic[1]} known; run it first: '
-              'Run → Run All Above Selected Cell.', file=sys.stderr)
+        print(f'The first cell of the notebook makes {magic[1]} known; {_ABOVE}', file=sys.stderr)

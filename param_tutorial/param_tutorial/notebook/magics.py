@@ -81,8 +81,7 @@ class _NoExit:
     """Stands in for ``exit`` and ``quit``, which end a kernel: programs that are pasted into a cell contain them."""
 
     def __repr__(self) -> str:
-        return ('exit() would end this kernel with every node in it, so it does nothing here: leave this line out. To '
-                'end the kernel, use the menu Kernel')
+        return ('exit() would end this kernel with every node in it, so it does nothing here: leave this line out')
 
     def __call__(self, *_status: object) -> None:
         raise UsageError(repr(self))

@@ -211,7 +211,7 @@ def _made(name: str, files: dict[str, bytes], content: Callable[[dict[str, bytes
 
     :param content: Returns what stands in the archive.
     """
-    depends_on = b''.join((_COMPILE.read_bytes(), (PYODIDE / 'package.json').read_bytes(),
+    depends_on = b''.join((_COMPILE.read_bytes(), Path(__file__).read_bytes(), (PYODIDE / 'package.json').read_bytes(),
                            *(part for each in sorted(files) for part in (each.encode(), files[each]))))
     return kept(WORK / 'made', name, depends_on, lambda: _archive(content(files)))
 
@@ -241,7 +241,7 @@ def _with_compiled(files: dict[str, bytes]) -> dict[str, bytes]:
 
 def _only_compiled(files: dict[str, bytes]) -> dict[str, bytes]:
     """Return the files with compiled modules in place of the others, where Python looks for them in an archive."""
-    compiled = {re.sub(r'__pycache__/(\w+)\.cpython-\d+\.pyc', r'\1.pyc', name): content
+    compiled = {re.sub(r'__pycache__/([\w-]+)\.cpython-\d+\.pyc', r'\1.pyc', name): content
                 for name, content in _compiled(files).items()}
     return {**{name: content for name, content in files.items() if not name.endswith('.py')}, **compiled}
 
