@@ -279,22 +279,85 @@ def test_a_cell_that_never_ends_is_stopped(page):
 
 
 @limits
-def test_a_page_lives_while_a_cell_prints_without_an_end(page):
-    cell = cell_with(page, 'panel.settle()')
-    editor = edit(cell, "for number in range(4000):\n    print('line', number)")
+def test_what_a_callback_prints_later_is_seen_below_the_cell_that_ran_last(page):
+    cell = cell_with(page, "print('the end')")
+    editor = edit(cell, 'def endless():\n    timer.cancel()\n    while True: pass\n'
+                        "heater.add_post_set_parameters_callback(lambda new: print('seen', new[0].value))\n"
+                        "print('begun')")
     editor.press('Shift+Enter')
-    expect(cell.locator('.cell_output')).to_contain_text('line 3999', timeout=60_000)
+    printed = cell.locator('.cell_output')
+    expect(printed).to_have_text('begun', timeout=60_000)
+    wait_for_the_node(page)
+    type_into(page, 'power_w', '150')
+    type_into(page, 'power_w', '160')
+    expect(printed).to_have_text('begun seen 150 seen 160', use_inner_text=True)
+    editor.fill('timer = heater.create_timer(0.01, endless)')
+    editor.press('Shift+Enter')
+    expect(printed).to_contain_text('this callback did not return, so it was interrupted')
 
 
 @limits
-def test_the_readers_code_reaches_no_network(page):
-    cell = cell_with(page, 'panel.settle()')
-    editor = edit(cell, 'from js import fetch\ntry:\n    await fetch("https://example.org/")\n'
-                        'except Exception as error:\n    print("no way out")')
+def test_a_page_answers_while_a_cell_prints_without_an_end(page):
+    cell, form = cell_with(page, "print('the end')"), page.locator('.lesson-prediction').first
+    edit(cell, "for number in range(200_000):\n    print('line', number)").press('Shift+Enter')
+    text, whole = cell.locator('.cell_output pre'), cell.get_by_role('button', name='Show all')
+    expect(whole).to_be_visible(timeout=60_000)
+    assert len(text.text_content()) == 100_000
+    form.get_by_role('radio').first.check()
+    form.get_by_role('button', name='Commit').click()
+    expect(form.get_by_role('status')).not_to_be_empty()
+    whole.click()
+    expect(text).to_contain_text('line 9999\n')
+    assert text.bounding_box()['height'] < 500
+
+
+# What would run a script, or leave the page by itself, if a cell could put it there.
+PAYLOADS = [each.replace('GO', "location='https://example.org/'") for each in (
+    '<img src="data:," onerror="GO">', '<svg onload="GO"/>', '<details open ontoggle="GO">8</details>',
+    '<input autofocus onfocus="GO">', '<a href="javascript:void(GO)">a link</a>',
+    '<iframe srcdoc="<script>top.GO</script>"></iframe>',
+    '<meta http-equiv="refresh" content="0;url=https://example.org/">', '<base href="https://example.org/">',
+    '<link rel="dns-prefetch" href="//example.org">', '<object data="https://example.org/"></object>',
+    '<form action="https://example.org/"><button>go</button></form>')]
+
+
+@limits
+def test_what_a_cell_puts_out_runs_no_script_and_leaves_no_page(page):
+    address = page.url
+    cell = cell_with(page, "print('the end')")
+    edit(cell, 'import anywidget, ipywidgets\nfrom IPython.display import HTML, Markdown\n'
+               f'for each in {PAYLOADS!r}:\n'
+               '    display(HTML(each), Markdown(each), ipywidgets.HTML(each))\n    panel.children[-1].markup += each\n'
+               "display(anywidget.AnyWidget(_esm='location=`https://example.org/`'))\nfrom js import fetch\n"
+               "try:\n    await fetch('https://example.org/')\nexcept Exception:\n    print('no way out')"
+         ).press('Shift+Enter')
     # What the policy forbids the browser reports; that is the proof, and no complaint.
     page.evaluate("document.addEventListener('securitypolicyviolation', event => event.preventDefault())")
-    editor.press('Shift+Enter')
-    expect(cell.locator('.cell_output')).to_have_text('no way out', timeout=60_000)
+    expect(cell.locator('.cell_output')).to_contain_text('no way out', timeout=60_000)
+    for link in cell.locator('.cell_output a').all():
+        link.click()
+    wait_for_the_node(page)
+    assert page.url == address
+    assert page.evaluate("""[...document.querySelectorAll('.cell_output *')].filter(each =>
+        each.matches('meta, iframe, base, link, object, script:not(.live-cells), form[action], [href^=javascript]')
+        || [...each.attributes].some(({name}) => name.startsWith('on'))).map(each => each.outerHTML)""") == []
+
+
+@limits
+def test_a_cell_shows_what_jupyter_shows(page):
+    cell = cell_with(page, "print('the end')")
+    dot = 'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNkYPhfDwAChwGA60e6kgAAAABJRU5ErkJggg=='
+    edit(cell, 'import base64, ipywidgets\nfrom IPython.display import Image, Latex, Markdown, SVG\n'
+               """display(SVG('<svg xmlns="http://www.w3.org/2000/svg" width="9" height="7"/>'),Markdown('**bold**'),"""
+               f"Image(base64.b64decode('{dot}')), Latex('$x^2$'), ipywidgets.IntSlider(5))\n"
+               'help(heater.undeclare_parameter)').press('Shift+Enter')
+    out = cell.locator('.cell_output')
+    expect(out).to_contain_text('Undeclare a previously declared parameter.', timeout=60_000)
+    expect(out.locator('strong')).to_have_text('bold')
+    assert out.locator('img').evaluate_all('all => all.map(each => [each.naturalWidth, each.naturalHeight])') == [
+        [9, 7], [1, 1]]
+    for words in ('$x^2$', 'JupyterLab shows a widget here (IntSlider)'):
+        expect(out).to_contain_text(words)
 
 
 @limits
@@ -422,6 +485,16 @@ def test_on_a_phone_texts_keep_their_shape_and_pictures_scroll(page):
     run(cell_with(page, 'scene.value.replace'))
     expect(scene).to_have_text('the second', timeout=60_000)
     assert scene.evaluate('each => each.scrollLeft') == 100  # it stays there when it is drawn anew
+
+
+def test_on_a_touch_screen_no_button_covers_code(made, browser):
+    page = browser.new_page(viewport={'width': 390, 'height': 800}, has_touch=True, is_mobile=True)
+    page.goto((made.target / '1_limits.html').as_uri())
+    expect(page.get_by_role('button', name='Run this cell').first).to_have_css('opacity', '1')
+    assert page.evaluate("""[...document.querySelectorAll('.cell_input')].filter(each =>
+        each.querySelector('.live-tools').getBoundingClientRect().top
+        < each.querySelector('pre').getBoundingClientRect().bottom - 1).length""") == 0
+    page.close()
 
 
 @limits

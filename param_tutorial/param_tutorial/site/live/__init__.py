@@ -11,7 +11,10 @@ the cells put out with what is stored in the notebook, and notes the states of t
 **The Python comes as a script** (``python_files``), Pyodide and all packages, packed by xz as one and written as text,
 because a page on a disk can load scripts and nothing else. Over the web the same script serves. So a page never
 fetches, and its content-security policy forbids it to: `connect-src` names no server, not even its own, and a worker
-made from memory inherits that. What a reader, or somebody's link, puts into a cell can reach no other machine.
+made from memory inherits that. Of the HTML that a cell puts out, DOMPurify leaves nothing that runs a script or leaves
+the page by itself; of the scripts that widgets bring, only those run that the site was built with. So code in a cell
+reaches no other machine, unless the reader clicks a link that it shows. It can read and change what this browser keeps
+for the site.
 
 **In the page** there are three layers, and the first two are the same in Node.js as in a browser:
 

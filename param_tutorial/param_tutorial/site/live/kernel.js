@@ -88,7 +88,7 @@ export function digest(outputs) {
 
 /** Runs cells, one after the other. */
 export class Kernel {
-  /** The id of the cell that runs, or ran last. */
+  /** The id of the cell that runs, or ran last: as in ipykernel, what a callback prints later belongs to it. */
   cell = '';
   /** @type {Map<string, number>} */
   runs = new Map();

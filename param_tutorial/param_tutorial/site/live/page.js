@@ -24,6 +24,10 @@ const PATIENCE_MS = 10_000;
 class Cell {
   /** True if its outputs are to be drawn whatever they are: the reader has run it. */
   isAsked = false;
+  /** What comes after its run, from a callback or a timer, is drawn at once. */
+  isRunning = false;
+  /** True if its outputs are those on the page. */
+  isDrawn = false;
   /** @type {Output[]} */
   outputs = [];
   /** By the names of the widgets. @type {Map<string, View>} */
@@ -49,10 +53,12 @@ class Cell {
     return made;
   }
 
-  /** Show all outputs in place of those before; a view that is the same goes on. */
+  /** Show all outputs in place of those before, unless they are there; a view that is the same goes on. */
   show() {
     if (this.isOwn || !this.place) return;
-    this.place.replaceChildren(...this.outputs.map(output => output.element));
+    for (const output of this.outputs) output.write();
+    if (!this.isDrawn) this.place.replaceChildren(...this.outputs.map(output => output.element));
+    this.isDrawn = true;
     wrapSentences(this.place);
     reachPictures(this.place);
   }
@@ -63,12 +69,18 @@ class Cell {
    * @param {View} [view]
    */
   add(said, view) {
-    if (this.outputs.at(-1)?.goOn(said)) return;
-    const output = new Output(said, view?.element);
-    this.outputs.push(output);
-    if (!this.isAsked) return;
-    if (this.outputs.length === 1) this.show();
-    else if (!this.isOwn) this.place?.append(output.element);
+    const before = this.outputs.at(-1);
+    const output = before?.goOn(said) ? before : new Output(said, view?.element);
+    if (output !== before) this.outputs.push(output);
+    if (this.isRunning && (this.isOwn || !this.isAsked)) return;
+    if (!this.isDrawn && !this.isOwn) this.show();
+    else if (output !== before) this.place?.append(output.element);
+  }
+
+  /** Forget all outputs; those on the page stay until others come. */
+  clear() {
+    this.outputs = [];
+    this.isDrawn = false;
   }
 
   get digest() {
@@ -202,11 +214,12 @@ export class Page {
       return;
     }
     const cell = this.byId.get(said.cell);
+    if (said.is === 'begin' && cell) cell.isRunning = true;
     if (said.is === 'begin') this.timer = setTimeout(() => this.offerStop(), PATIENCE_MS);
     if (said.is === 'widget') this.hearOfWidget(said);
     else if (said.is === 'update') this.replace(said);
     else if (said.is === 'solved') this.keepSolved(said.numbers);
-    else if (said.is === 'begin' || said.is === 'clear') cell?.outputs.splice(0);
+    else if (said.is === 'begin' || said.is === 'clear') cell?.clear();
     else if (cell && said.is === 'output') this.hearOutput(cell, said.output);
     else if (cell && said.is === 'ran') this.end(cell);
   }
@@ -257,7 +270,9 @@ export class Page {
     for (const cell of this.cells) {
       const at = cell.outputs.findIndex(each => each.said.display === display && display);
       if (at >= 0) {
-        cell.outputs[at] = new Output({...cell.outputs[at].said, ...output});
+        const before = cell.outputs[at];
+        cell.outputs[at] = new Output({...before.said, ...output});
+        if (cell.isDrawn) before.element.replaceWith(cell.outputs[at].element);
         cell.show();
       }
     }
@@ -269,7 +284,7 @@ export class Page {
     this.running -= 1;
     cell.element?.removeAttribute('aria-busy');
     if (cell.isAsked || cell.digest !== cell.facts.digest) cell.show();
-    cell.isAsked = false;
+    cell.isRunning = false;
     const shown = new Set(cell.outputs.map(output => output.drawn));
     for (const [root, view] of cell.views) {
       if (shown.has(view.element)) continue;

@@ -16,7 +16,8 @@ from param_tutorial.site.live.running import EXPLAINED, LiveCell, LiveChapter, r
 # code comes in scripts of the site. Pyodide makes machine code, and a worker is a script in memory.
 # Of a page on a disk, Firefox takes no other page for its own, and the search is one.
 POLICY = ("default-src 'self' data: blob: 'unsafe-inline'; connect-src data: blob:; worker-src blob:; "
-          "script-src 'self' blob: 'unsafe-inline' 'unsafe-eval'; form-action 'self' file:")
+          "script-src 'self' blob: 'unsafe-inline' 'unsafe-eval'; form-action 'self' file:; "
+          "frame-src 'none'; object-src 'none'")
 _HERE = Path(__file__).parent
 _PYTHON, _EDITOR = 'python.js', 'editor.js'
 # What a chapter's run depends on, beside the packages.

@@ -4,10 +4,12 @@
    as the kernel has run the cell, the same view is a view of the kernel's widgets, and what the hand did is done. */
 
 import {make} from '../../../param_tools/panel/dom.js';
-import {drawAnew} from '../scripts/wide.js';
+import {clean, drawAnew} from '../scripts/wide.js';
 
 const PREFIX = 'IPY_MODEL_';
 const LEFT_OUT = new Set(['layout', 'style']);
+// What the course's front ends draw as HTML.
+const HTML = new Set(['markup', 'picture']);
 
 /** @param {any} one @param {any} other */
 const same = (one, other) => one === other || JSON.stringify(one) === JSON.stringify(other);
@@ -38,7 +40,7 @@ export class Handle {
 
   /** @param {string} key */
   get(key) {
-    return this.state[key];
+    return HTML.has(key) ? clean(this.state[key]) : this.state[key];
   }
 
   /** @param {string} key @param {any} value */
@@ -116,6 +118,12 @@ const styles = new Set();
  */
 const shared = text => /** @type {any} */ (self).lessonFronts?.[text] ?? text;
 
+/**
+ * Tell whether a script is one that the site was built with; what the reader's code brings does not run in the page.
+ * @param {string} text Or the name of one.
+ */
+const isOfCourse = text => Object.values(/** @type {any} */ (self).lessonFronts ?? {}).includes(shared(text));
+
 /** @param {string} text */
 function load(text) {
   const code = shared(text);
@@ -188,10 +196,11 @@ export class View {
     } else if (/BoxModel$/.test(kind)) {
       element.classList.add(`widget-${kind.replace('Model', '').toLowerCase()}`);
       this.fill(element, model);
-    } else if (kind === 'AnyModel') {
+    } else if (kind === 'AnyModel' && isOfCourse(model.get('_esm'))) {
       this.loading.push(this.begin(element, model));
     } else {
-      element.append(`The notebook shows a ${kind.replace('Model', '')} here.`);
+      const name = kind.replace('Model', '');
+      element.append(`JupyterLab shows a widget here (${name}). A page shows the course’s own widgets only.`);
     }
     return element;
   }

@@ -1,6 +1,7 @@
 /* What is wider than the page scrolls sideways: texts, so that they keep their shape, and pictures, so that their letters
    keep their size. See the style sheet. */
 
+import DOMPurify from 'dompurify';
 import {all} from '../../../param_tools/panel/dom.js';
 
 const TEXTS = '.output .highlight pre, .param-ros1 pre';
@@ -40,13 +41,19 @@ export function reachPictures(root) {
 }
 
 /**
+ * Return HTML without anything that runs a script, or loads or leaves a page by itself.
+ * @param {string} html
+ */
+export const clean = html => DOMPurify.sanitize(html, {FORBID_TAGS: ['form'], FORCE_BODY: true});
+
+/**
  * Draw what may hold a picture anew; it stays where the reader has scrolled to.
  * @param {HTMLElement} element
  * @param {string} html
  */
 export function drawAnew(element, html) {
   const scrolled = element.querySelector(PICTURES)?.scrollLeft;
-  element.innerHTML = html;
+  element.innerHTML = clean(html);
   reachPictures(element);
   if (scrolled) for (const picture of all(element, PICTURES)) picture.scrollLeft = scrolled;
 }
