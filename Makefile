@@ -60,10 +60,6 @@ test: setup-all  ## run the test suite before you commit: every chapter is a tes
 test-all: setup-all $(JS_TOOLS)  ## the same with browsers, the website, builds and a fresh set-up; CI runs it
 	@$(SUITE) -n 4 -m "not rare" $(ARGS) tests notebooks
 
-# All but the tests marked `slow`, the notebooks, and the lint.
-test-fast: setup-all  ## run the tests that take seconds in all, while you edit
-	@$(VENV) -m pytest -n 3 --dist loadscope -m "not slow and not rare" $(ARGS) tests
-
 # GitHub runs it once a week. Each part runs also when the one before has failed.
 test-rare: setup-all $(JS_TOOLS)  ## what seldom breaks alone: every known answer, two hosts, other Pythons, a machine with ROS
 	@failed=0; \
@@ -114,5 +110,5 @@ clean:  ## remove everything that these targets made, but not your copies of the
 	rm -rf .venv build environment/node_modules .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup setup-all lab reset class hub test test-all test-fast test-rare html lesson bench lint \
+.PHONY: help setup setup-all lab reset class hub test test-all test-rare html lesson bench lint \
     lite lock clean

@@ -73,8 +73,10 @@ REMOTE = CAN_STAND_STILL + textwrap.dedent('''
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Begin with the files that take longest, so that no worker is left alone with one at the end."""
-    slow = Counter(item.path for item in items if item.get_closest_marker('slow'))
-    items.sort(key=lambda item: -slow[item.path])
+    weights: Counter[Path] = Counter()
+    for item in items:
+        weights[item.path] += 100 if item.get_closest_marker('thorough') else 1
+    items.sort(key=lambda item: -weights[item.path])
 
 
 @pytest.fixture(scope='module')

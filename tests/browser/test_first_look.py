@@ -9,7 +9,7 @@ from playwright.sync_api import Browser, Page, expect
 from tests.support import lesson
 from tests.support.lab import TIMEOUT_SEC, CourseLab, chromium
 
-pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]
+pytestmark = [pytest.mark.thorough, pytest.mark.timeout(600)]
 
 CHAPTER = '01_what_are_parameters.ipynb'
 # JupyterLab takes the style sheet away where it doesn't trust the notebook.

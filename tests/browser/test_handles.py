@@ -7,7 +7,7 @@ from playwright.sync_api import expect
 
 from tests.support.axe import violations_in_both_themes
 
-pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
+pytestmark = pytest.mark.timeout(300)
 
 CELLS = (
     """import os

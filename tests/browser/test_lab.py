@@ -10,7 +10,7 @@ from playwright.sync_api import expect
 from tests.support import lab as lab_module
 from tests.support.lab import ROOT, Lab, LabPage
 
-pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
+pytestmark = pytest.mark.timeout(600)  # each wait may take lab.TIMEOUT_SEC
 
 CHAPTER = ROOT / 'notebooks' / '05_2_with_a_callback.ipynb'
 NODE = '/simple_param_node'

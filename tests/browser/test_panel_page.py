@@ -17,7 +17,7 @@ from param_tools.ros import domain
 from tests.support.lab import wait_for
 from tests.support.processes import wait_or_kill
 
-pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
+pytestmark = [pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
 NODE = '''
     import rclpy

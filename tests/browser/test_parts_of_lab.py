@@ -11,7 +11,7 @@ from tests.support.axe import violations_in_both_themes
 from tests.support.firefox import firefox
 from tests.support.lab import RESTART_KERNEL, CourseLab, LabPage, wait_for
 
-pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]
+pytestmark = [pytest.mark.thorough, pytest.mark.timeout(600)]
 
 NAME, OTHER = '01_robot.ipynb', '02_robot.ipynb'
 CELLS = (

@@ -9,7 +9,7 @@ from playwright.sync_api import expect
 from tests.support import lesson
 from tests.support.lab import RESTART_KERNEL, CourseLab, LabPage, chromium
 
-pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]
+pytestmark = [pytest.mark.thorough, pytest.mark.timeout(600)]
 
 CHAPTER = '03_declaring.ipynb'
 CELLS = ('# 3\nA question:', "from param_tutorial import exercises\n\nexercises.predict('3-1')", "print('decided')",

@@ -5,7 +5,7 @@ from playwright.sync_api import expect
 
 from tests.support.lab import wait_for
 
-pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
+pytestmark = [pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
 CELLS = (
     '# A robot\nOn the stage:',

@@ -26,7 +26,7 @@ from tests.tools.site_rules import check_page, open_page
 
 # Sphinx and its extensions tell each other, in each release, what the next one will bring.
 pytestmark = [
-    pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600),  # the site is made in the first one's time
+    pytest.mark.thorough, pytest.mark.timeout(600),  # the site is made in the first one's time
     *(pytest.mark.filterwarnings(f'ignore::{kind}Warning') for kind in ('Deprecation', 'PendingDeprecation'))]
 
 # A node with a rule over two parameters, a limit that a callback applies, and a log; two predictions.

@@ -39,7 +39,6 @@ def log(ros, tmp_path):
     return path
 
 
-@pytest.mark.slow
 def test_what_has_happened_is_printed_and_brought_back(ros, log):
     stdout, stderr, status = run('history', log)
     assert re.search(r"/simple_param_node  robot_name  changed  'Berta' +'Carla'\n", stdout)

@@ -288,7 +288,6 @@ def test_a_launch_file_is_found_at_any_depth_and_must_be_the_only_one_of_its_nam
     assert f"file 'x_launch.py' was found more than once in the share directory of package 'deep': ['{share}" in err
 
 
-@pytest.mark.slow
 def test_a_program_that_ignores_signals_is_killed_in_the_end(write, monkeypatch, capfd):
     monkeypatch.setattr('param_tools.cli.launch.processes.GRACE_SEC', 0.2)
     script = write('trap "" INT TERM; kill -INT $PPID; while :; do sleep 0.1; done\n', 'stubborn')
@@ -299,7 +298,6 @@ def test_a_program_that_ignores_signals_is_killed_in_the_end(write, monkeypatch,
     assert 'exit code -9' in shown
 
 
-@pytest.mark.slow
 def test_a_program_has_its_folder_and_its_environment_and_one_ends_the_others(tmp_path, capfd):
     def shell(name, text, **options):
         return Program(['sh', '-c', text], name, True, True, **options)

@@ -159,14 +159,12 @@ rclpy.shutdown()
 '''
 
 
-@pytest.mark.slow
 def test_a_node_that_has_just_been_started_is_found_at_once(ros, start_process):
     late = start_process(sys.executable, '-c', LATE, stdout=subprocess.PIPE)
     assert late.stdout.readline() == 'ready\n'  # its participant exists, and nothing has been waited for
     assert run('param', 'get', '/late', 'use_sim_time') == ('Boolean value is: False\n', '', 0)
 
 
-@pytest.mark.slow
 def test_an_unknown_node_is_waited_for_as_long_as_asked(ros):
     threading.Timer(0.3, lambda: ros.add(Odd, 'late')).start()
     assert run('param', 'get', '--timeout', '30', '/late', 'anything') == ('Integer value is: 1\n', '', 0)
@@ -175,7 +173,6 @@ def test_an_unknown_node_is_waited_for_as_long_as_asked(ros):
 # -- run ------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.slow
 @pytest.mark.thorough
 @pytest.mark.parametrize('program', node_programs('param_tutorial'))
 def test_ctrl_c_ends_a_running_node_without_a_word(program, start_process):
@@ -189,7 +186,6 @@ def test_ctrl_c_ends_a_running_node_without_a_word(program, start_process):
     assert '[ros2run]' not in stdout
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(('number', 'until'), [
     (signal.SIGINT, 'robot_serial_number'), (signal.SIGTERM, 'has been started')],
     ids=['spinning', 'in its constructor'])
@@ -229,7 +225,6 @@ def workspace(tmp_path, monkeypatch):
     return add
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(('last', 'said', 'status'), [
     ('exit 3', '[ros2run]: Process exited with failure 3\n', 3),
     ('kill -SEGV $$', '[ros2run]: Segmentation fault\n', 256 - signal.SIGSEGV)])
@@ -253,7 +248,6 @@ def test_run_finds_a_program_in_a_sub_folder_and_there_must_be_one(workspace):
 # -- as a process ---------------------------------------------------------------------------------------------
 
 
-@pytest.mark.slow
 def test_a_process_without_a_domain_is_where_everybody_is():
     environment = environment_without_domain()
     program = ('import os, sys; sys.argv[1:] = ["-h"]; import param_tools.__main__ as m; m.main(); '
@@ -262,7 +256,6 @@ def test_a_process_without_a_domain_is_where_everybody_is():
     assert done.stdout.splitlines()[-1] == '0'
 
 
-@pytest.mark.slow
 def test_a_second_ctrl_c_while_a_command_tidies_up_says_nothing():
     program = ('import atexit, os, sys; atexit.register(lambda: os.kill(os.getpid(), 2)); '
                'sys.argv[1:] = ["-h"]; import param_tools.__main__ as m; sys.exit(m.main())')
@@ -271,7 +264,6 @@ def test_a_second_ctrl_c_while_a_command_tidies_up_says_nothing():
     assert done.stdout.startswith('usage: ros2')
 
 
-@pytest.mark.slow
 def test_ctrl_c_ends_a_command_that_waits(ros, start_process):
     node = ros.add(Node, 'silent_node', start_parameter_services=False)
     is_asked, may_answer = threading.Event(), threading.Event()

@@ -18,7 +18,6 @@ class Camera(Node):
         self.declare_parameter('rate', 30)
 
 
-@pytest.mark.slow
 def test_all_nodes_are_saved_changed_compared_and_restored(ros, tmp_path):
     ros.add(SimpleParamNode)
     ros.add(Camera, '/left')
@@ -94,7 +93,6 @@ def test_two_nodes_of_one_name_are_pointed_out(ros, silent):
     assert run('snapshot', '/silen')[1] == 'there is no node /silen. Did you mean /silent?\n'
 
 
-@pytest.mark.slow
 def test_a_node_that_hangs_is_reported_and_the_rest_is_complete(ros, silent, tmp_path):
     ros.add(Camera, '/left')
     path = tmp_path / 'monday.yaml'

@@ -61,7 +61,7 @@ def run_as_new_process(*words):
 @pytest.mark.parametrize(('scenario', 'run_words'), [
     *((scenario, run) for scenario in SCENARIOS),
     pytest.param({**SCENARIOS[0], 'steps': SCENARIOS[0]['steps'][:5]}, run_as_new_process,
-                 marks=[pytest.mark.slow, pytest.mark.thorough]),
+                 marks=pytest.mark.thorough),
 ], ids=lambda value: value['scenario'].replace(' ', '_') if isinstance(value, dict) else value.__name__)
 def test_agrees_with_the_genuine_command(scenario, run_words, ros, tmp_path, monkeypatch):
     for description in NODES:

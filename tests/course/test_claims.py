@@ -85,7 +85,6 @@ def test_the_result_of_a_set_is_a_message_and_no_service():
 
 
 # A069
-@pytest.mark.slow
 def test_wait_for_service_waits_until_somebody_offers_it(ros):
     client = ros.tool_node.create_client(GetParameters, '/simple_param_node/get_parameters')
     assert not client.wait_for_service(timeout_sec=0.05)

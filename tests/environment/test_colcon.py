@@ -9,7 +9,7 @@ import pytest
 from param_tutorial import ParameterClient, Shell, Terminal
 from tests.support.paths import PACKAGE, ROOT, TOOLS
 
-pytestmark = [pytest.mark.slow, pytest.mark.thorough]
+pytestmark = pytest.mark.thorough
 
 NAME = 'param_tutorial'
 IGNORED = shutil.ignore_patterns('__pycache__', '*.egg-info', 'build', 'install', 'log')

@@ -14,7 +14,7 @@ import websocket
 from tests.support.lab import TIMEOUT_SEC, CourseLab
 from tests.support.paths import NOTEBOOKS, ROOT
 
-pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
+pytestmark = pytest.mark.timeout(300)
 
 TERMINAL = ROOT / 'environment' / 'jupyter' / 'terminal.bash'
 # What a learner's own start-up files may do, and Debian's /etc/profile does.

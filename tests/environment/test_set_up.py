@@ -64,7 +64,6 @@ def checkout(tmp_path: Path) -> Checkout:
     return Checkout(tmp_path / 'ein Käse')
 
 
-@pytest.mark.slow
 @pytest.mark.thorough
 def test_what_is_there_stays_until_a_lock_or_the_folder_changes(checkout):
     assert checkout.make().stdout.startswith('Setting up .venv')
@@ -85,7 +84,6 @@ def test_what_is_there_stays_until_a_lock_or_the_folder_changes(checkout):
     assert checkout.has('param_tutorial')
 
 
-@pytest.mark.slow
 def test_after_a_set_up_that_failed_the_next_one_starts_afresh(checkout):
     good = checkout.lock.read_text()
     checkout.lock.write_text(re.sub('sha256:[0-9a-f]{60}', 'sha256:' + 60 * '0', good))

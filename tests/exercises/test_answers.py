@@ -11,8 +11,6 @@ from param_tutorial.exercises import EXERCISES, trial
 from tests.exercises.wrong_answers import RIGHT, WRONG
 from tests.support.answers import not_yet, solution
 
-pytestmark = pytest.mark.slow
-
 # Here the answer is a program that runs in a process, again and again: some twenty seconds each.
 PROGRAMS = ('3d', '5.2d', '5.3d', '8d', '11g')
 # In these, a requirement waits for something that never comes.

@@ -169,7 +169,6 @@ def test_a_button_callback_that_cannot_be_interrupted_is_reported_and_start_begi
     assert exercises.check('5.3b', solution('5.3b')).done
 
 
-@pytest.mark.slow
 def test_a_cart_that_is_launched_already_is_named(ros):
     cart = ros.add(ch11.CartNode, ros_args=['-r', '__ns:=/aisle_3'])
     result = exercises.check('11e', solution('11e'))
@@ -184,7 +183,6 @@ def test_a_wrong_node_name_is_one_finding_and_the_rest_counts(ros):
     assert 'not yet' in result.heading
 
 
-@pytest.mark.slow
 def test_a_check_leaves_the_stage_as_it_was(ros):
     own = ros.add(solution('3b'))
     client = ParameterClient(own)

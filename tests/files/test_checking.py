@@ -200,7 +200,6 @@ WORDS = st.one_of(st.sampled_from([
     'a: b', '#', '12:30', '[]', ',', '"x"', '.nan', 'é']), st.text(alphabet='ab1 .,:[]-\'"\n', max_size=8))
 
 
-@pytest.mark.slow
 @given(st.sampled_from(values.TYPES[1:]), WORDS, st.booleans())
 @example(values.STRING_ARRAY, 'null', False)
 @example(values.DOUBLE_ARRAY, '1', False)
@@ -262,7 +261,6 @@ def test_what_is_no_parameter_file_is_a_finding(write, content):
     assert len(check_files(write(content), LIFT)) == 1
 
 
-@pytest.mark.slow
 @given(st.one_of(DOCUMENTS, st.text(max_size=60), st.binary(max_size=60)))
 def test_a_file_is_rejected_by_the_strict_reader_just_where_a_finding_says_so(write, content):
     path = write(content)

@@ -47,7 +47,6 @@ def test_a_running_node_is_described_saved_and_read_back(ros, tmp_path):
     assert not again.complete
 
 
-@pytest.mark.slow
 def test_all_nodes_are_described_and_one_that_hangs_is_named(ros, silent):
     ros.add(Arm)
     found = describe(timeout_sec=0.5)
@@ -74,7 +73,6 @@ def test_a_description_judges_as_the_node_does(ros, name, value):
     assert objection is None or objection.kind == answer.kind
 
 
-@pytest.mark.slow
 @given(st.dictionaries(TEXT.filter(bool), VALUES, max_size=5), TEXT)
 def test_any_default_and_text_comes_back(tmp_path, parameters, text):
     described = {name: DescribedParameter(Descriptor(name, values.type_of(value), text, text, True, True, None), value)
@@ -117,7 +115,6 @@ JSON = st.recursive(
         max_size=4)), max_leaves=12)
 
 
-@pytest.mark.slow
 @given(st.one_of(JSON.map(yaml.safe_dump), JSON.map(lambda tree: yaml.safe_dump(
     {'parameter_descriptions': 1, 'nodes': {'/n': {'parameters': tree}}})), st.text(), st.binary(max_size=50)))
 @example('parameter_descriptions: 1\nnodes: {/n: {parameters: {a: {type: []}}}}')

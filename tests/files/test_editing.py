@@ -46,7 +46,6 @@ def test_only_the_value_changes(write, name, node, new, lines):
     assert same(read_all(path, [node])[node], {**before[node], **new})
 
 
-@pytest.mark.slow
 @given(DOCUMENTS, st.dictionaries(NAMES, VALUES, min_size=1, max_size=3))
 @example('/lab/reader:\r\n  ros__parameters:\r\n    a: x\r\n    b: 2\r\n', {'a': 'z', 'b': [1, 2]})
 @example('\ufeff/lab/reader:\n  ros__parameters:\n    a: "ä\U0001f600"  # ö\n', {'a': 'x'})

@@ -83,7 +83,6 @@ TRICKY = [
     '.', '-', '--', '---', '...', '? x', '|', '>', 'x' * 2000, '+1', '.inf', '0x', '1.', '-0', 'e5', 'true ']
 
 
-@pytest.mark.slow
 @property_test
 @given(PARAMETERS)
 @example({text or 'empty': text for text in TRICKY})
@@ -101,7 +100,6 @@ def test_what_is_written_comes_back_with_the_same_types_and_values(ros, paramete
     yaml.safe_load(dump.text)
 
 
-@pytest.mark.slow
 @given(PARAMETERS)
 def test_only_what_rcl_cannot_express_is_left_out(parameters):
     for name, reason in render('/lab/reader', parameters).left_out.items():
@@ -137,7 +135,6 @@ WORDS = st.text('abnyxoeinfNOYE019.+-_~:', max_size=7)
 SCALARS = st.one_of(NUMBERS, WORDS, st.floats().map(repr), st.integers().map(str), st.sampled_from(TRICKY))
 
 
-@pytest.mark.slow
 @property_test
 @given(st.lists(SCALARS, max_size=20))
 @example(['08', '0x', '-0x10', '9223372036854775807', '9223372036854775808', '-9223372036854775809', '1e400',
@@ -175,7 +172,6 @@ DOCUMENTS = st.lists(st.tuples(NODE, BLOCK), max_size=3).map(
     lambda items: ''.join(f'{node}: {block}\n' for node, block in items))
 
 
-@pytest.mark.slow
 @settings(max_examples=400)
 @given(DOCUMENTS)
 @example('/**: {ros__parameters: {a: 1}}\n/lab/reader: {ros__parameters: {a: 2}}\n/**: {ros__parameters: {a: 3}}')
@@ -196,7 +192,6 @@ def test_documents_are_read_or_rejected_as_rcl_reads_or_rejects_them(ros, text):
         assert expected is not None and same(found, expected)
 
 
-@pytest.mark.slow
 @settings(max_examples=400)
 @given(DOCUMENTS)
 @example('/n:\n  ros__parameters:\n    a: [1, x]\n')

@@ -7,7 +7,6 @@ import tempfile
 from pathlib import Path
 
 import hypothesis.strategies as st
-import pytest
 import yaml
 from hypothesis import example, given, settings
 
@@ -70,7 +69,6 @@ def is_of_newer_yaml(content):
 
 # In CI thousands of files, elsewhere as many as a minute's suite has time for.
 # Not for a file on which rcl's parser may end the process: none here has a block of more than 128 parameters.
-@pytest.mark.slow
 @settings(max_examples=3000 if os.environ.get('CI') else 600)
 @given(st.one_of(mutations().map(lambda content: (content,)),
                  st.tuples(DOCUMENTS.map(str.encode), DOCUMENTS.map(str.encode))))
@@ -87,7 +85,6 @@ PARTS = st.one_of(st.sampled_from(['', '*', '**', '***', 'a', 'arm_1', '1a', '_'
                   st.sampled_from([243, 244, 245, 246, 254, 255, 256]).map('x'.__mul__))
 
 
-@pytest.mark.slow
 @given(st.lists(PARTS, min_size=1, max_size=4), st.sampled_from(['', '/', '//']))
 @example(['left', '', 'arm'], '')
 @example(['x' * 255], '')

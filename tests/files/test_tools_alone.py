@@ -38,7 +38,6 @@ def python(tmp_path_factory):
     return python
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(('words', 'status', 'said'), [
     (['good.yaml'], 0, ''),
     (['bad.yaml'], 1, 'bad.yaml:3:12: unreadable: rcl rejects the file here: the elements of a must all be'),

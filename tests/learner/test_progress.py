@@ -65,7 +65,6 @@ def add_many(path: Path, name: str) -> None:
         ProgressFile(path).add_solved(f'{name}{number}')
 
 
-@pytest.mark.slow
 def test_two_kernels_at_once_lose_nothing(file):
     context = multiprocessing.get_context('spawn')
     kernels = [context.Process(target=add_many, args=(file.path, name)) for name in 'ab']

@@ -73,7 +73,6 @@ def process(source, *arguments):
                             stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
 
-@pytest.mark.slow
 def test_a_client_with_time_waits_for_a_node_that_starts_late(ros):
     starts = threading.Timer(DISCOVERY_SEC + 0.5, ros.add, [Everything])
     starts.start()
@@ -182,7 +181,6 @@ def test_descriptors_and_values_are_of_the_same_parameters_though_one_is_deleted
     assert list(client.describe_and_get(['p9', 'gone', 'p8'])[1].items()) == [('p9', 9), ('p8', 8)]
 
 
-@pytest.mark.slow
 @hypothesis.given(VALUES)
 def test_any_value_arrives_and_comes_back_unchanged(ros, value):
     if not ros.nodes:
@@ -215,7 +213,6 @@ def test_a_callback_that_reads_an_undeclared_parameter_is_a_rejection(ros):
     assert client.get_parameter('speed') == 100
 
 
-@pytest.mark.slow
 @pytest.mark.real_layer(reason='somebody in another process asks')
 def test_a_callback_error_that_nobody_here_asked_for_is_printed(ros, capfd):
     ros.add(Everything)
@@ -244,7 +241,6 @@ def test_a_callback_error_that_nobody_here_asked_for_is_printed(ros, capfd):
     assert ''.join([*printed, capfd.readouterr().err]).count('RuntimeError: thirteen') == 1
 
 
-@pytest.mark.slow
 def test_a_lost_answer_is_asked_for_again_and_a_set_is_sent_once(ros, monkeypatch):
     """A server that does not know yet where to answer drops its answer (see Services._carry)."""
     node = ros.add(Counter)
@@ -266,7 +262,6 @@ def test_a_lost_answer_is_asked_for_again_and_a_set_is_sent_once(ros, monkeypatc
     assert node.seen == [2]
 
 
-@pytest.mark.slow
 @pytest.mark.real_layer(reason='the node is in another process')
 def test_a_node_that_does_not_answer(ros, remote):
     child = remote('remote')
@@ -282,7 +277,6 @@ def test_a_node_that_does_not_answer(ros, remote):
     assert ros.services._pending == {}
 
 
-@pytest.mark.slow
 @pytest.mark.real_layer(reason='the node is in another process')
 def test_a_node_that_leaves_in_mid_call(ros):
     child = process("""

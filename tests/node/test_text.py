@@ -20,7 +20,6 @@ _WRITTEN = {
 }
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize('parameter_type', _WRITTEN, ids=repr)
 @given(data=st.data())
 def test_what_a_text_box_shows_is_read_back_the_same(parameter_type, data):
@@ -31,7 +30,6 @@ def test_what_a_text_box_shows_is_read_back_the_same(parameter_type, data):
     assert values.same(form.parse(text), value)
 
 
-@pytest.mark.slow
 @given(st.one_of(TEXT, st.booleans(), *(strategy for kind, strategy in _WRITTEN.items()
                                           if kind is not values.BYTE_ARRAY)))
 def test_so_is_a_value_whose_type_may_be_any(value):

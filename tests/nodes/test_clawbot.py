@@ -58,7 +58,6 @@ def test_every_motion_is_continuous(position, velocity, speed, acceleration, saf
     assert motion.end.velocity_mps == 0
 
 
-@pytest.mark.slow
 @given(speeds, accelerations, st.lists(st.tuples(st.floats(0.0, 3.0), speeds, accelerations), max_size=8))
 @settings(max_examples=300)
 def test_with_safety_on_and_the_right_offset_it_keeps_its_gap_whatever_changes(speed, acceleration, changes):
@@ -213,7 +212,6 @@ def test_a_rejected_atomic_set_changes_nothing_during_a_drive(robot, client):
 # -- the node, in real time -----------------------------------------------------------------------------
 
 
-@pytest.mark.slow
 def test_in_real_time_it_arrives_by_itself_and_then_stops_its_timer(ros):
     robot = ros.add(ClawbotNode, ros_args=['-p', 'max_speed_rpm:=300', '-p', 'max_acceleration_mps2:=2.0',
                                            '-p', 'simulation.track_length_meters:=2.0'])

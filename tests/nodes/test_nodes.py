@@ -31,7 +31,6 @@ def test_a_node_can_be_copied_out():
         assert imported - set(sys.stdlib_module_names) <= {'rclpy', 'rcl_interfaces'}, path.stem
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize('path', [FILES[0], *(pytest.param(each, marks=pytest.mark.rare) for each in FILES[1:])],
                          ids=lambda path: path.stem)
 def test_a_copied_node_runs_and_ends_on_ctrl_c_without_a_traceback(ros, path, tmp_path):
@@ -125,7 +124,6 @@ def test_the_monitor_tells_what_became_of_each_parameter_and_its_true_value(ros)
 
 
 # claim A148
-@pytest.mark.slow
 def test_the_monitor_loses_nothing_of_a_burst(ros):
     monitor, robot = ros.add(ParamEventMonitor), ros.add(Odd)
     heard = []

@@ -18,7 +18,6 @@ SETTINGS = st.builds(
     highest_m=st.floats(1.0, 2.0), kp=st.floats(0.2, 5.0), tolerance_m=st.floats(0.001, 0.05))
 
 
-@pytest.mark.slow
 @hypothesis.settings(max_examples=25)
 @hypothesis.given(SETTINGS, st.floats(0.0, 2.0), st.floats(0.0, 2.0))
 def test_a_ride_is_what_small_steps_of_its_law_add_up_to(settings, start_m, target_m):

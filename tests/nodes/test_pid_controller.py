@@ -29,7 +29,6 @@ def respond(gains, motor=MOTOR, reference=10.0, *, rate_hz=100, duration_sec=3.0
 # -- the simulation --------------------------------------------------------------------------------------
 
 
-@pytest.mark.slow
 @given(st.floats(0.01, 0.3), st.floats(0.01, 0.1), st.floats(0.01, 0.1), st.floats(0.5, 20.0))
 def test_p_control_of_a_first_order_plant_matches_the_formula(p, inertia, friction, reference):
     motor = replace(PROMPT, inertia=inertia, friction=friction)
@@ -57,7 +56,6 @@ def test_a_lagging_motor_speeds_up_as_the_formula_says(lag_sec):
         assert speed == pytest.approx(10.0 * (1 - missing), abs=1e-6)
 
 
-@pytest.mark.slow
 @given(st.floats(0.01, 0.3))
 def test_p_alone_leaves_the_error_that_overcomes_friction(p):
     figures = respond(Gains(p=p), duration_sec=10.0).figures
@@ -250,7 +248,6 @@ def test_tuned_gains_are_saved_and_come_back(ros, tmp_path):
     assert next(node for node in ros.nodes if node.get_name() == 'wheel_controller').response() == response
 
 
-@pytest.mark.slow
 def test_the_response_is_the_same_in_any_process(ros):
     """A separate process logs what is computed here: nothing depends on when or where."""
     terminal = param_tutorial.Terminal('ros2 run param_tutorial pid_controller_node --ros-args -p '

@@ -115,7 +115,6 @@ def test_a_line_is_split_as_bash_splits_it(tmp_path, line, words, target):
 # -- a terminal beside the notebook ----------------------------------------------------------------------------
 
 
-@pytest.mark.slow
 def test_the_line_for_a_terminal_makes_it_see_the_nodes_and_a_genuine_command_stays_the_one(node, tmp_path):
     line = magics.terminal_line()
     plain = {name: value for name, value in os.environ.items() if not name.startswith(('ROS_', 'FAST'))}

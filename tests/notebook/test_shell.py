@@ -42,7 +42,6 @@ def test_status_order_and_mistakes(shell):
     assert shell.status == 0
 
 
-@pytest.mark.slow
 def test_a_command_that_ends_the_shell_or_takes_too_long(shell):
     second = Shell(beside=shell)
     with pytest.raises(ShellError, match="'echo last; exit' ended the shell; what came:\nlast"):
@@ -115,7 +114,6 @@ def test_a_folder_that_is_there_is_left_alone(here):
     assert (here / 'x' / 'setup.py').read_text() == 'mine'
 
 
-@pytest.mark.slow
 def test_what_is_built_runs_where_python_lies_below_a_space(tmp_path, monkeypatch):
     folder = tmp_path / 'a folder'
     folder.symlink_to(sys.prefix)
@@ -129,7 +127,6 @@ def test_what_is_built_runs_where_python_lies_below_a_space(tmp_path, monkeypatc
     assert 'Finished <<< hello' in second.run('colcon build')
 
 
-@pytest.mark.slow
 def test_a_workspace_with_a_package_of_our_name_does_not_hide_the_embedded_ros2(shell):
     shell.run('mkdir param_tutorial; touch param_tutorial/__init__.py; export PYTHONPATH=$PWD')
     # As the programs that it starts see it, and as it sees itself.

@@ -47,7 +47,6 @@ def test_a_cell_depends_on_what_it_uses_before_it_names_something_else_so(source
     assert stored.depends_on(source, {'x'}) is does
 
 
-@pytest.mark.slow
 def test_in_a_page_each_of_them_says_why_and_shows_what_is_stored(tmp_path):
     done = subprocess.run([sys.executable, '-c', (
         f'{PAGE}CELLS = {CELLS!r}\nstored.offer(stored.collect({{"cells": CELLS}}))\n'

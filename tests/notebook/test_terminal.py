@@ -12,8 +12,6 @@ from param_tools.ros import stage
 from param_tutorial import ParameterClient, Terminal, wait_until
 from tests.support.kernels import Kernel
 
-pytestmark = pytest.mark.slow
-
 OPEN_FILES = Path('/proc/self/fd')
 
 

@@ -3,7 +3,7 @@
 import nbformat
 import pytest
 
-pytestmark = [pytest.mark.slow, pytest.mark.thorough]
+pytestmark = pytest.mark.thorough
 
 
 @pytest.fixture

@@ -20,7 +20,7 @@ from tests.support.lab import chromium
 from tests.support.paths import ROOT
 from tests.support.server import Server
 
-pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
+pytestmark = [pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
 # Before JupyterLab finds a picture among the reader's files, the browser asks for it beside the page. And the browser
 # names each request that the policy forbids; the tests make some to this machine, and none may go to another one.

@@ -5,7 +5,7 @@ import pytest
 
 from tests.support.answers import cell
 
-pytestmark = [pytest.mark.slow, pytest.mark.thorough]
+pytestmark = pytest.mark.thorough
 
 LOOP = 'kettle = Kettle()\n        while True:\n            pass'
 

@@ -62,7 +62,6 @@ print(sys.modules['numpy'].__doc__.startswith('As much of numpy'))
 ''') == 'True False\nTrue\n'
 
 
-@pytest.mark.slow
 @pytest.mark.thorough
 @pytest.mark.timeout(300)
 def test_what_the_real_one_passes_the_layer_passes():

@@ -7,7 +7,7 @@ import pytest
 from tests.support import hosts, missing
 from tests.support.lab import wait_for
 
-pytestmark = [pytest.mark.slow, pytest.mark.timeout(400)]
+pytestmark = pytest.mark.timeout(400)
 
 # Each input() waits for the test.
 NODE = '''

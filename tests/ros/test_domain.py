@@ -31,7 +31,6 @@ def choose(**environment):
                           capture_output=True, text=True, check=False)
 
 
-@pytest.mark.slow
 def test_living_processes_have_different_domains():
     source = 'from param_tools.ros import domain; print(domain.choose(), flush=True); input()'
     environment = environment_without_domain()
@@ -46,7 +45,6 @@ def test_living_processes_have_different_domains():
     assert set(chosen) <= set(domain.DOMAIN_IDS)
 
 
-@pytest.mark.slow
 def test_a_claimed_domain_stays_on_the_loopback_interface_and_out_of_shared_memory():
     source = 'import param_tutorial; param_tutorial.start(); print(flush=True); input()'
     with subprocess.Popen([sys.executable, '-c', source], env=nothing_chosen(), text=True,
@@ -60,7 +58,6 @@ def test_a_claimed_domain_stays_on_the_loopback_interface_and_out_of_shared_memo
     assert '/dev/shm/fastrtps' not in maps
 
 
-@pytest.mark.slow
 def test_what_the_user_chose_is_kept():
     number, discovery, profiles = choose(ROS_DOMAIN_ID='42').stdout.split()
     assert (number, discovery) == ('42', 'None') and profiles.endswith('/fastdds.xml')
@@ -80,7 +77,6 @@ def test_a_domain_where_a_stranger_lives_is_passed_over(monkeypatch):
             domain._claim_free_domain()
 
 
-@pytest.mark.slow
 def test_what_the_user_has_set_for_a_robots_network_does_not_part_processes_here():
     source = ('import param_tutorial, subprocess, sys\n'
               'ros = param_tutorial.start()\n'

@@ -126,7 +126,6 @@ def test_run_gives_the_result_or_the_exception(ros):
     assert ros.run(lambda: ros.run(lambda: 5, 'nest'), 'nest') == 5
 
 
-@pytest.mark.slow
 def test_many_restarts_do_not_pile_up(ros):
     for round_number in range(30):
         client = ParameterClient(ros.add(Speed))
@@ -142,7 +141,6 @@ def test_many_restarts_do_not_pile_up(ros):
 
 
 # A thread that spins while the interpreter ends aborts the process with status 134 (claims.md, 2g).
-@pytest.mark.slow
 @pytest.mark.parametrize('ending', ['', 'param_tutorial.stop()'])
 def test_the_interpreter_ends_well_with_a_busy_node(ending):
     done = run_python(f'''
@@ -186,7 +184,6 @@ class Failing(Speed):
         raise ValueError(f'tick {self.count}')
 
 
-@pytest.mark.slow
 def test_an_exception_that_repeats_is_shown_once_with_its_node_and_counted(ros, capfd):
     node = ros.add(Failing)
     param_tutorial.wait_until(lambda: ros.failures and ros.failures[0].times > 20, 'the timer to go on')
@@ -202,7 +199,6 @@ def test_an_exception_that_repeats_is_shown_once_with_its_node_and_counted(ros, 
     assert [str(each) for each in ros.errors] == ['tick 1']
 
 
-@pytest.mark.slow
 def test_a_request_that_an_endless_loop_has_made_late_is_answered_nevertheless(ros):
     class Looping(Node):
         def __init__(self):
@@ -224,7 +220,6 @@ def test_a_request_that_an_endless_loop_has_made_late_is_answered_nevertheless(r
 
 
 # Asleep in a lock, or awake and catching everything.
-@pytest.mark.slow
 @pytest.mark.parametrize('blocks', ['threading.Event().wait()', 'catch_everything()'])
 def test_a_stage_whose_callback_never_returns_says_so_and_begins_anew_and_the_interpreter_ends_well(blocks):
     done = run_python(f'''

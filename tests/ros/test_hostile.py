@@ -11,8 +11,6 @@ import pytest
 
 from tests.support.kernels import DEADLINE_SEC, Kernel
 
-pytestmark = pytest.mark.slow
-
 # Runs first: the stage with a node of the learner's, a right answer to an exercise, and the names that lines use.
 SET_UP = '''
 %load_ext param_tutorial

@@ -8,8 +8,6 @@ from ipykernel.comm.comm import BaseComm
 from param_tutorial import wait_until
 from tests.support.kernels import DEADLINE_SEC, Kernel
 
-pytestmark = pytest.mark.slow
-
 START = '''
 %load_ext param_tutorial
 import time

@@ -8,10 +8,6 @@ import subprocess
 import sys
 import textwrap
 
-import pytest
-
-pytestmark = pytest.mark.slow
-
 BEGIN = """
 import subprocess, threading, time
 from pathlib import Path

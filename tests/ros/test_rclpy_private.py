@@ -3,7 +3,6 @@
 import ast
 import re
 
-import pytest
 import rclpy
 from rcl_interfaces.srv import GetParameters
 from rclpy.node import Node
@@ -21,7 +20,6 @@ def test_a_class_that_calls_the_constructor_of_node_by_name_is_added_with_its_ar
     assert ros.services.node_names() == ['/turned']
 
 
-@pytest.mark.slow
 def test_no_other_file_uses_private_names_of_rclpy(ros):
     node = ros.add(Node, 'lamp')
     client = node.create_client(GetParameters, '/nobody/get_parameters')

@@ -47,7 +47,6 @@ def test_a_node_without_parameter_services_is_distinguished_from_a_missing_one(r
     assert not ros.services.is_ready('/mute')
 
 
-@pytest.mark.slow
 def test_a_node_that_does_not_answer_in_time_costs_no_more_than_that(ros):
     node = ros.add(Gate)
     ros.services.call('/gate', 'set_parameters', SetParameters.Request())

@@ -7,10 +7,6 @@ has threads, so the process can be watched; Python starts none.
 import subprocess
 import sys
 
-import pytest
-
-pytestmark = pytest.mark.slow
-
 BEGIN = """
 import threading, time
 from param_tools.ros import turns

@@ -96,7 +96,6 @@ def test_the_first_page_has_the_groups_and_the_ways_of_the_notebooks_start_page(
     assert '.ipynb' not in text.partition('## The lessons')[2]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize('number', RECALLS)
 def test_the_verdict_on_a_recall_links_to_the_section_that_answers_it(number):
     notebooks = {path.stem: nbformat.read(path, as_version=4) for path in sorted(NOTEBOOKS.glob('[0-9]*.ipynb'))}

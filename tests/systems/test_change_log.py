@@ -31,7 +31,6 @@ def same(left, right):
         values.same(*pair) for pair in ((left.old, right.old), (left.new, right.new)))
 
 
-@pytest.mark.slow
 @given(CHANGES)
 def test_what_is_written_is_read_back_also_after_a_torn_line(tmp_path, changes):
     path = tmp_path / 'changes.jsonl'
@@ -147,7 +146,6 @@ def test_an_answer_that_comes_late_puts_no_old_value_after_a_newer_one(ros, monk
     assert [each.new for each in find(changes, name='offset')] == [0.5, 1.0, 2.0, 3.0]
 
 
-@pytest.mark.slow
 def test_a_node_that_hangs_is_named_and_delays_no_other(ros, silent):
     ros.add(Arm)
     changes, trouble = [], []
@@ -157,7 +155,6 @@ def test_a_node_that_hangs_is_named_and_delays_no_other(ros, silent):
     assert trouble[0].node == '/silent'
 
 
-@pytest.mark.slow
 @pytest.mark.real_layer(reason='the log is written by another process')
 def test_a_log_survives_the_death_of_the_process_that_writes_it(ros, tmp_path):
     ros.add(Arm)

@@ -21,7 +21,6 @@ def kinds(difference):
     return {changed.name: changed.kind for changed in difference}
 
 
-@pytest.mark.slow
 @given(SETS, SETS)
 def test_a_difference_tells_each_name_once_and_turns_round(first, second):
     difference, back = compare(first, second), compare(second, first)

@@ -74,7 +74,6 @@ class Open(Node):
             self.declare_parameter(name, 0, ParameterDescriptor(dynamic_typing=True))
 
 
-@pytest.mark.slow
 @hypothesis.settings(max_examples=50)
 @hypothesis.given(FULL_SETS, FULL_SETS)
 def test_restoring_makes_equal_whatever_the_values(ros, first, second):

@@ -52,7 +52,6 @@ def test_all_values_of_those_that_are_named_or_of_every_node_but_the_hidden_ones
         all_parameters([3])
 
 
-@pytest.mark.slow
 def test_who_does_not_answer_is_named_and_keeps_nobody(ros, silent):
     arm = ros.add(Arm)
     snapshot = all_parameters([arm, silent, ros.add(Mute), '/gone'], timeout_sec=1.0)
@@ -66,7 +65,6 @@ def test_who_does_not_answer_is_named_and_keeps_nobody(ros, silent):
     assert snapshot.get('/silent') is None
 
 
-@pytest.mark.slow
 @given(SYSTEMS)
 def test_a_snapshot_comes_back_but_for_what_it_names(tmp_path, system):
     path = tmp_path / 'snapshot.yaml'

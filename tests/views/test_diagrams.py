@@ -71,7 +71,6 @@ def test_calls_are_real_and_show_what_came_back(weather):
         view.call(weather, 'describe_parameters', ['low_c'])
 
 
-@pytest.mark.slow
 def test_a_node_that_is_not_there_and_one_that_does_not_answer_are_told_apart(ros, weather):
     dozing, view = Node('dozing'), views.CallsView(timeout_sec=.2)
     view.call('/wether', 'get_parameters', ['low_c'])

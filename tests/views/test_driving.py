@@ -62,7 +62,6 @@ def robot(ros):
     return ros.add(ClawbotNode, real_time=False)
 
 
-@pytest.mark.slow
 def test_a_picture_for_each_motion_words_for_each_thing_it_begins_to_do_and_nothing_while_it_stands(robot):
     view, pictures, scenes = RobotView(robot), [], []
     view._front.observe(lambda change: pictures.append(change.new), 'picture')
@@ -109,7 +108,6 @@ def test_what_is_set_while_it_stands_or_waits_is_seen_at_once(robot):
     shows(view, '-20 °C is below')
 
 
-@pytest.mark.slow
 def test_it_is_made_before_its_robot_and_follows_one_that_is_replaced_or_gone(ros):
     view = RobotView('clawbot_node')
     assert view.text == '/clawbot_node is not running. It comes back here when it does.'
@@ -160,7 +158,6 @@ def test_a_change_on_the_way_counts_from_there_and_one_after_the_arrival_moves_n
     assert view.text.startswith('STOPPED') and '@keyframes' not in view._front.picture
 
 
-@pytest.mark.slow
 def test_it_shows_a_cart_that_is_being_built_and_says_what_is_missing(ros):
     class Unfinished(Node):
         def __init__(self):

@@ -1,6 +1,5 @@
 """The log and the table of events: which nodes they show, in what order, and in how many updates."""
 
-import pytest
 from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 
@@ -24,7 +23,6 @@ def test_the_log_follows_all_nodes_or_one(ros):
     assert 'role="log"' in texts(one)
 
 
-@pytest.mark.slow
 def test_a_chatty_node_is_shown_its_last_lines_in_few_updates(ros):
     node = ros.add(Node, 'chatty')
     view = LogView()

@@ -75,7 +75,6 @@ def test_asked_for_a_value_it_shows_what_comes_of_it_and_nothing_after(robot, cl
         NumberLineView('nobody', 'opening', 1)
 
 
-@pytest.mark.slow
 def test_it_follows_a_node_that_comes_back_also_on_the_next_stage_until_it_is_closed(ros, robot, client):
     view, other = NumberLineView(robot, 'opening'), NumberLineView(robot, 'opening')
     ros.remove(robot)

@@ -35,7 +35,6 @@ def says(browser):
     return {name: each['says'] for name, each in lines(browser).items()}
 
 
-@pytest.mark.slow
 def test_nodes_come_and_go_and_come_back_as_others(ros, shown):
     class Bigger(Fan):
         def __init__(self):
@@ -50,7 +49,6 @@ def test_nodes_come_and_go_and_come_back_as_others(ros, shown):
     wait_until(lambda: shown._front.state == {'status': '0 nodes', 'nodes': []}, 'all to be gone')
 
 
-@pytest.mark.slow
 def test_a_search_looks_at_names_descriptions_and_present_values(shown):
     assert shown.find('breeze') == {'/fan': ['maker']}
     assert shown.find('fan BLADES') == {'/fan': ['blades']}
@@ -80,7 +78,6 @@ def test_a_panel_is_opened_and_shut(shown):
     assert repr(shown) == '<ParameterBrowser: closed>'
 
 
-@pytest.mark.slow
 def test_the_panel_of_a_node_that_has_gone_can_still_be_shut(ros, shown):
     press(shown, 'toggle', node='/fan')
     press(shown, 'toggle', node='/arm')
@@ -92,7 +89,6 @@ def test_the_panel_of_a_node_that_has_gone_can_still_be_shut(ros, shown):
     wait_until(lambda: says(shown) == {'/arm': '22 parameters'}, 'its line to go')
 
 
-@pytest.mark.slow
 def test_a_node_that_hangs_keeps_no_other_one_waiting(ros):
     gate = ros.add(Gate)
     ros.add(Fan)

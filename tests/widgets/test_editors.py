@@ -118,7 +118,6 @@ INTEGERS = st.one_of(st.sampled_from([-2**63, -2**63 + 1, -2**53, -1, 0, 1, 2**5
 STEPS = st.one_of(st.sampled_from([0, 1, 2**53, 2**63, 2**64 - 1]), st.integers(0, 2**64 - 1))
 
 
-@pytest.mark.slow
 @given(st.one_of(st.tuples(st.just(values.DOUBLE), DOUBLES, DOUBLES, DOUBLES, DOUBLES),
                  st.tuples(st.just(values.INTEGER), INTEGERS, INTEGERS, INTEGERS, STEPS)))
 @example((values.DOUBLE, 0.0, 0.0, 5e-324, 0.0))  # what a range declared with the integers 0 and 16 may arrive as

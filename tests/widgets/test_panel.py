@@ -83,7 +83,6 @@ def test_a_parameter_declared_later_appears_and_a_deleted_one_goes(arm):
         arm['payload']
 
 
-@pytest.mark.slow
 @pytest.mark.real_layer(reason='the node is in another process')
 def test_a_node_elsewhere_that_goes_and_comes_back(ros, remote):
     process = remote('comes_and_goes')
@@ -128,7 +127,6 @@ def test_a_node_that_comes_back_is_read_afresh_also_with_other_parameters(ros):
     assert (panel['robot_name'].row.kind, shows(panel, 'robot_name')) == ('integer', ('7',))
 
 
-@pytest.mark.slow
 def test_a_panel_of_a_node_that_is_not_there_waits_for_it(ros):
     ros.add(SimpleParamNode)
     panel = ParameterPanel('simple_parm_node')

@@ -28,7 +28,6 @@ def test_a_panel_without_an_executor_says_so_and_comes_alive_with_one(view):
     param_tutorial.start()
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize('view', [ParameterPanel, LogView, EventView, RobotView, CartView, StepResponseView])
 def test_a_view_of_nonsense_says_so_and_nothing_else(ros, view, monkeypatch):
     others = []
