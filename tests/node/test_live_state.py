@@ -117,33 +117,6 @@ def test_what_came_went_or_has_another_type_is_described(state, changes, others)
     assert state.begin_reading(0.0).describe
 
 
-def test_a_busy_parameter_is_read_when_its_request_has_ended(state, x):
-    request = state.ask(x, 2, 10.0).send
-    assert not state.changed([changed('x', 2)], others=False).read
-    assert state.begin_reading(10.0) is None
-    # The answer is lost, but the event says that something was stored.
-    assert state.answer_failed(request, NoAnswerError(NODE, 'set_parameters', 3.0), 13.0).read
-    assert state.begin_reading(13.0).names == ['x']
-
-
-def test_a_reading_of_a_busy_parameter_is_not_believed_and_made_again(state, x):
-    state.changed([changed('x', 2)], others=False)
-    state.begin_reading(10.0)
-    request = state.ask(x, 3, 10.0).send
-    state.have_read({'x': 2})
-    assert x.value == 1
-    assert state.answer_failed(request, NoAnswerError(NODE, 'set_parameters', 3.0), 13.0).read
-
-
-def test_an_event_during_a_reading_is_newer_even_if_it_repeats_what_is_shown(state, x):
-    state.changed([changed('x', 2)], others=False)
-    state.begin_reading(10.0)
-    assert state.changed([changed('x', 1)], others=False).read
-    assert state.have_read({'x': 2}).read
-    assert x.value == 1
-    assert state.begin_reading(10.0).names == ['x']
-
-
 def test_a_stranger_that_changes_while_everything_is_read_is_not_waited_for(state):
     state.refresh()
     assert state.begin_reading(0.0).describe
