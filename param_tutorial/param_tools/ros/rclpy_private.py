@@ -170,6 +170,11 @@ def observe_changes(node: Node, call_instead: CallInstead,
     return stop_observing
 
 
+def has_judge(node: Any) -> bool:
+    """True if somebody has registered a callback that may reject; rclpy itself registers one, for ``use_sim_time``."""
+    return len(node._on_set_parameters_callbacks) > 1 or bool(node._pre_set_parameters_callbacks)
+
+
 class _Observed(list[ParameterCallback]):
     """The callbacks of one kind. rclpy adds to it, removes from it, and calls what a ``for`` loop over it yields."""
 

@@ -1,15 +1,18 @@
 """What several chapters expect of a learner's work, each with words for work that does something else."""
 
+import contextlib
 import inspect
 import linecache
 import re
 import sys
 import textwrap
-from collections.abc import Callable, Mapping, Sequence
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from types import CodeType
 from typing import Any, NamedTuple
 
 from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.client import Client
 from rclpy.node import Node
 from rclpy.parameter import Parameter
@@ -20,8 +23,19 @@ from param_tools.errors import NodeNotFoundError
 from param_tools.node.client import ParameterClient
 from param_tools.node.declarations import describe_wrong_field
 from param_tools.ros import stage
+from param_tools.ros.waiting import wait
 from param_tools.values import ParameterType
-from param_tutorial.exercises.trial import CORNER, NodeT, NoStart, NotTried, NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.trial import (
+    CORNER,
+    TIME_LIMIT_SEC,
+    NodeT,
+    NoStart,
+    NotTried,
+    NotYet,
+    NoUse,
+    Trial,
+    expect,
+)
 
 
 def expect_filled(trial: Trial) -> None:
@@ -223,6 +237,40 @@ def start_asking(trial: Trial) -> Any:
     for client in clients:
         _expect_service(trial, client)
     return node
+
+
+@contextlib.contextmanager
+def awake() -> Iterator[None]:
+    """Let ``time.sleep`` raise an exception in the executor's thread: a short sleep blocks it too."""
+    sleep = time.sleep
+
+    def sleep_elsewhere(seconds: Any) -> None:
+        if stage.current().in_thread():
+            raise RuntimeError('time.sleep() blocks the thread, and no answer comes while it does. So does whatever '
+                               'sleeps inside, as wait_for_service() does')
+        sleep(seconds)
+
+    time.sleep = sleep_elsewhere
+    try:
+        yield
+    finally:
+        time.sleep = sleep
+
+
+def expect_no_wait(trial: Trial, method: str) -> None:
+    """Expect a method of the learner's node to keep no thread while no rover is there that would answer."""
+    for each in trial.ros.nodes:
+        if each.get_namespace() == CORNER:
+            trial.ros.remove(each)
+    try:
+        node: Any = trial.start(derive(NotesQuestions, trial.work))
+        wait(lambda: not any(each.service_is_ready() for each in node.clients), TIME_LIMIT_SEC)
+        with awake():
+            trial.press(f'`{method}()`, without a rover,', node, getattr(node, method),
+                        MutuallyExclusiveCallbackGroup(), to_its_end=False)
+    except NoUse as error:
+        raise NotYet(error.expected, error.happened) from None
+    wait(lambda: node.questions_noted, 1.0)  # by a thread that would ask a node that has gone
 
 
 def _expect_service(trial: Trial, client: Client) -> None:

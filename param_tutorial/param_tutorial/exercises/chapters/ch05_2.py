@@ -9,6 +9,7 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from param_tools.errors import CallbackError
+from param_tools.ros.rclpy_private import has_judge
 from param_tools.values import INTEGER
 from param_tutorial.exercises.exercise import NODE_CLASS, Exercise, Kind
 from param_tutorial.exercises.expectations import (
@@ -70,11 +71,6 @@ def answering() -> Iterator[None]:
         yield
     except CallbackError as error:
         raise NoUse('an answer', describe_error(error)) from None
-
-
-def has_judge(node: Any) -> bool:
-    """True if somebody has registered a callback that may reject; rclpy itself registers one, for `use_sim_time`."""
-    return len(node._on_set_parameters_callbacks) > 1 or bool(node._pre_set_parameters_callbacks)
 
 
 @judge.require('a lower limit that is not below the upper one is rejected, with a reason', see=JUDGE)

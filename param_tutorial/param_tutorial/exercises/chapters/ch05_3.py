@@ -1,36 +1,34 @@
 """Exercises of chapter 5.3: order the lines of a request, set two parameters of another node together, read an answer,
 and write a whole program that asks another node."""
 
-import contextlib
 import itertools
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any, TypeVar
 
 from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor, SetParametersResult
 from rcl_interfaces.srv import SetParameters
-from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.client import Client
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from param_tools.node.client import ParameterValues
-from param_tools.ros import stage
 from param_tools.ros.waiting import wait
 from param_tools.values import INTEGER
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, TEXT, Exercise
 from param_tutorial.exercises.expectations import (
     NotesQuestions,
-    derive,
+    awake,
     expect_accepted,
+    expect_no_wait,
     expect_start_value,
     run_lines,
     start_asking,
     take_type_for_granted,
 )
 from param_tutorial.exercises.programs import PROGRAM, Program, require_ends, require_program, running
-from param_tutorial.exercises.trial import CORNER, STUCK, TIME_LIMIT_SEC, NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.trial import STUCK, TIME_LIMIT_SEC, NotYet, NoUse, Trial, expect
 
 CHAPTER = '05_3_from_another_node'
 HOW = 'How it works'
@@ -92,40 +90,6 @@ supervise = Exercise('5.3b', 'Slow a rover down', CHAPTER, NODE_CLASS, node_name
     '`call_async` returns a future. `future.add_done_callback(self.on_answer)` has rclpy call your method with it. '
     '`future.result().result` is the one result, and it has a `reason`. If you would rather await the future, the '
     'client needs a callback group of its own.'))
-
-
-@contextlib.contextmanager
-def awake() -> Iterator[None]:
-    """Let ``time.sleep`` raise an exception in the executor's thread: a short sleep blocks it too."""
-    sleep = time.sleep
-
-    def sleep_elsewhere(seconds: Any) -> None:
-        if stage.current().in_thread():
-            raise RuntimeError('time.sleep() blocks the thread, and no answer comes while it does. So does whatever '
-                               'sleeps inside, as wait_for_service() does')
-        sleep(seconds)
-
-    time.sleep = sleep_elsewhere
-    try:
-        yield
-    finally:
-        time.sleep = sleep
-
-
-def expect_no_wait(trial: Trial, method: str) -> None:
-    """Expect a method of the learner's node to keep no thread while no rover is there that would answer."""
-    for each in trial.ros.nodes:
-        if each.get_namespace() == CORNER:
-            trial.ros.remove(each)
-    try:
-        node: Any = trial.start(derive(NotesQuestions, trial.work))
-        wait(lambda: not any(each.service_is_ready() for each in node.clients), TIME_LIMIT_SEC)
-        with awake():
-            trial.press(f'`{method}()`, without a rover,', node, getattr(node, method),
-                        MutuallyExclusiveCallbackGroup(), to_its_end=False)
-    except NoUse as error:
-        raise NotYet(error.expected, error.happened) from None
-    wait(lambda: node.questions_noted, 1.0)  # by a thread that would ask a node that has gone
 
 
 def slow_down(trial: Trial, rover_class: type[Rover]) -> tuple[Rover, Any]:

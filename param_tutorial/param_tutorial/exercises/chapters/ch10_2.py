@@ -13,9 +13,8 @@ from param_tools import values
 from param_tools.errors import NoAnswerError
 from param_tools.node.client import ParameterValues
 from param_tools.systems.snapshot import Snapshot
-from param_tutorial.exercises.chapters.ch05_3 import expect_no_wait
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import NotesQuestions, expect_no_gap, start_asking
+from param_tutorial.exercises.expectations import NotesQuestions, expect_no_gap, expect_no_wait, start_asking
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 
 CHAPTER = '10_2_asking_another_node'
