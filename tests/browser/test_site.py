@@ -586,13 +586,6 @@ def test_one_lesson_as_one_file(made, browser, tmp_path):
     assert loaded == []
 
 
-def test_a_chapter_that_is_not_there(made, tmp_path):
-    with pytest.raises(writing.BuildError, match=r'there is no chapter 7 in .*1_limits, 2_robot'):
-        Site(made.notebooks, tmp_path, tmp_path, ['7'])
-    with pytest.raises(writing.BuildError, match='more than one chapter: 1_limits, 2_robot'):
-        single.build(Site(made.notebooks, tmp_path, tmp_path, ['1', '2']))
-
-
 def test_the_same_site_in_firefox(made, tmp_path):
     if FIREFOX is None:
         missing.skip('there is no Firefox on the PATH: apt-get install firefox-esr')

@@ -1,13 +1,12 @@
 """This repository is a ROS package: `colcon build`, plain and with links, and a node run from the install space."""
 
-import os
 import shutil
 from pathlib import Path
 
 import pytest
 
 from param_tutorial import ParameterClient, Shell, Terminal
-from tests.support.paths import PACKAGE, ROOT, TOOLS
+from tests.support.paths import ROOT
 
 pytestmark = pytest.mark.thorough
 
@@ -54,26 +53,11 @@ def test_it_builds_as_a_package_of_type_ament_python(workspace):
     assert f"Package 'src/{NAME}' with type 'ros.ament_python' and name '{NAME}'" in workspace.log
 
 
-def test_ros_finds_the_package_in_the_index(workspace):
-    assert (workspace.prefix / 'share/ament_index/resource_index/packages' / NAME).exists()
-    assert workspace.shell.environment()['AMENT_PREFIX_PATH'].split(os.pathsep)[0] == str(workspace.prefix)
-
-
 def test_parameter_and_launch_files_are_installed(workspace):
     for source in (ROOT / 'config', ROOT / NAME / 'launch'):
         files = {path.name: path.read_text() for path in source.glob('*') if path.is_file()}
         there = workspace.share / source.name
         assert {path.name: path.read_text() for path in there.iterdir() if path.is_file()} == files
-
-
-def test_the_package_is_imported_from_the_workspace_and_brings_its_data(workspace):
-    module = workspace.where_is(NAME)
-    home = workspace.shell.home / 'ws'
-    assert module.is_relative_to(home / ('src' if workspace.links else 'install'))
-    for package in (PACKAGE, TOOLS):
-        data = {path.relative_to(package) for ending in ('css', 'xml') for path in package.rglob(f'*.{ending}')}
-        there = module.parents[1] / package.name
-        assert {path.relative_to(there) for ending in ('css', 'xml') for path in there.rglob(f'*.{ending}')} == data
 
 
 def test_a_node_runs_from_the_install_space(workspace, ros):

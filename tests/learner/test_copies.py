@@ -136,25 +136,6 @@ def test_a_changed_copy_stays_and_a_sentence_says_how_to_get_the_new_version(cop
     assert files(copies.folder) == before
 
 
-def test_who_resets_a_changed_chapter_follows_the_course_again(copies):
-    edit(copies.folder / FIRST, 1, 'speed = 99')
-    write_chapter(copies.chapters / FIRST, 'speed = 2')
-    copies.reset('1')
-    assert copies.deliver() == []
-    write_chapter(copies.chapters / FIRST, 'speed = 3')
-    assert copies.deliver() == []
-    assert sources(copies.folder / FIRST) == ['# Title', 'speed = 3']
-
-
-def test_a_copy_that_is_no_notebook_any_more_stays_until_it_is_reset(copies):
-    fresh = files(copies.folder)[FIRST]
-    (copies.folder / FIRST).write_bytes(b'{"cells": [')
-    assert copies.deliver() == []
-    copies.reset('1')
-    assert files(copies.folder)[FIRST] == fresh
-    assert backups(copies) == [b'{"cells": [']
-
-
 def test_a_chapter_is_made_fresh_again_and_what_was_there_is_kept(copies):
     fresh = files(copies.folder)[SECOND]
     before = edit(copies.folder / SECOND, 1, 'turn = 99')

@@ -136,14 +136,6 @@ def test_the_hint_shows_the_line_and_is_the_same_in_every_stored_output(shell):
     assert str(domain.choose()) not in repr(hint)
 
 
-def test_the_first_cell_may_be_run_again(shell):
-    for _ in range(2):
-        with capture_output() as captured:
-            shell.run_cell('%load_ext param_tutorial')
-        assert (captured.stdout, captured.stderr) == ('', '')
-    assert shell.events.callbacks['pre_run_cell'].count(magics._before_cell) == 1
-
-
 def test_a_cell_reads_only_what_was_logged_since_it_began(shell, ros):
     node = ros.add(SimpleParamNode)
     node.get_logger().info('before the cell')

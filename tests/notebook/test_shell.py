@@ -25,14 +25,6 @@ def test_it_remembers_folder_and_environment(shell):
     assert shell.environment()['COLOR'] == 'red'
 
 
-def test_a_second_shell_shares_the_home_folder_and_nothing_else(shell):
-    shell.run('export COLOR=red; touch here')
-    second = Shell(beside=shell)
-    assert second.run('ls; echo ${COLOR:-none}') == 'here\nnone'
-    second.close()
-    assert shell.home.is_dir()
-
-
 def test_status_order_and_mistakes(shell):
     assert shell.run('echo out; echo err >&2; false') == 'out\nerr'
     assert shell.status == 1

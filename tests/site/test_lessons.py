@@ -82,20 +82,6 @@ def test_the_first_page_lists_the_chapters_that_there_are_and_says_what_ran(tmp_
     assert 'Drive' not in text
 
 
-def test_the_first_page_has_the_groups_and_the_ways_of_the_notebooks_start_page(tmp_path):
-    chapters = dict.fromkeys(sorted(NOTEBOOKS.glob('[0-9]*.ipynb')), NOTHING_RAN)
-    text = front_page.front_page_source(NOTEBOOKS / 'index.md', chapters, FACTS)
-    original = (NOTEBOOKS / 'index.md').read_text()
-    groups = re.findall('^### .*$', original, re.MULTILINE)
-    assert len(groups) > 3 and [each for each in groups if f'\n{each}\n' not in text] == []
-    assert all(f'href="{path.stem}.html"' in text for path in chapters)
-    assert text.count('Afterwards you can ') == len(chapters)
-    for who in ('a student', 'a teacher', 'an engineer'):
-        assert f'**{who}**' in text
-    assert 'its exercises check themselves' in text
-    assert '.ipynb' not in text.partition('## The lessons')[2]
-
-
 @pytest.mark.parametrize('number', RECALLS)
 def test_the_verdict_on_a_recall_links_to_the_section_that_answers_it(number):
     notebooks = {path.stem: nbformat.read(path, as_version=4) for path in sorted(NOTEBOOKS.glob('[0-9]*.ipynb'))}

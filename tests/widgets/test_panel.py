@@ -160,23 +160,6 @@ def test_names_choose_and_order(ros):
     assert repr(panel) == '<ParameterPanel: /arm, 3 parameters>'
 
 
-def test_a_panel_made_again_resets_to_what_the_node_began_with(ros):
-    node = ros.add(Band, ros_args=['-p', 'high:=50'])
-    panel = ParameterPanel(node)
-    panel['high'].value = 60
-    panel.settle()
-    again = ParameterPanel(node)
-    assert again.changed == {'high': 50}
-    again.reset()
-    assert (again['high'].value, again.changed) == (50, {})
-
-    # The panel goes on with the node that takes this one's place, and its values.
-    node = ros.add(Band, ros_args=['-p', 'high:=70'])
-    wait_until(lambda: again['high'].value == 70, 'the panel to follow')
-    again.settle()
-    assert again.changed == {}
-
-
 def test_reset_brings_back_what_the_panel_first_saw_of_a_node_elsewhere(ros):
     node = Band()
     ros.run(lambda: ros._executor.add_node(node), 'spin a node that is not on the stage')
