@@ -127,7 +127,9 @@ WRONG = {
     ],
     '11g': [
         ([('setup(\n', 'setup((\n')], 0, 'SyntaxError'),
-        ([('door_node = warehouse.door_node:main', 'door = warehouse.door_node:main')], 1, 'No executable found'),
+        ([('door_node = warehouse.door_node:main', 'door = warehouse.door_node:main')], 1,
+         'in `install/warehouse` there is `lib/warehouse/door`.'),
+        ([('install_scripts=$base/lib/warehouse', 'install_scripts=$base/bin')], 1, 'there is `bin/door_node`'),
         ([("'open_sec', 5.0", "'open_sec', 5")], 4, 'type integer, value `5`'),
         ([('{open_sec} s', '5.0 s')], 5, 'its last line is'),
         ([('(KeyboardInterrupt, ExternalShutdownException)', 'KeyboardInterrupt')], 5, 'That is what SIGTERM raises'),

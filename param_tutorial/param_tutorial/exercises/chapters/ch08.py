@@ -346,7 +346,7 @@ program = Exercise('8d', 'A mixer from an empty file', CHAPTER, PROGRAM, node_na
     'descriptor each; then the rule; then what happens once it is met.',
     'Let one method judge a speed and a tilt. The constructor calls it with the start values, before it registers the '
     'callbacks, and raises a `ValueError`; the on-set callback calls it with what would be stored.',
-    'The post-set callback logs what is stored: `self.get_logger().info(f"the drum turns at {speed} rpm")`. `main` is '
+    'The post-set callback logs what is stored: `self.get_logger().info(f"drum turns at {speed} rpm")`. `main` is '
     'that of every node, and catches `KeyboardInterrupt` and `ExternalShutdownException`.'))
 require_program(program, 'mixer_node.py', MIXER)
 

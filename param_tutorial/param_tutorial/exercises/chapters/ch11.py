@@ -522,12 +522,26 @@ def built(trial: Trial) -> Shell:
     folder = Path(trial.work)
     if not folder.is_dir():
         raise NoUse(f'a folder `{folder}`', 'there is none beside this notebook yet')
+    if not (folder / 'warehouse' / '__init__.py').is_file():
+        raise NoUse(f'a module `{folder}/warehouse`, which Python can import',
+                    f'there is no `{folder}/warehouse/__init__.py`, so nothing in that folder is installed')
     return build(frozenset((str(path.relative_to(folder)), path.read_bytes()) for path in folder.rglob('*')
                            if path.is_file() and '__pycache__' not in path.parts))
 
 
 def run_door(trial: Trial, words: str) -> Terminal:
-    return Terminal(f'ros2 run warehouse door_node {words}', built(trial))
+    """Start the learner's program.
+
+    :raises NoUse: the package has none of this name where ``ros2 run`` looks for it.
+    """
+    shell = built(trial)
+    install = shell.home / 'ros2_ws' / 'install' / 'warehouse'
+    if not (install / 'lib' / 'warehouse' / 'door_node').exists():
+        there = [f'`{path.relative_to(install)}`' for folder in ('bin', 'lib/warehouse')
+                 for path in sorted((install / folder).glob('*'))]
+        raise NoUse('`lib/warehouse/door_node`', f'in `install/warehouse` there is {", ".join(there) or "no program"}. '
+                    'Do `setup.py` and `setup.cfg` name it, and its place?')
+    return Terminal(f'ros2 run warehouse door_node {words}', shell)
 
 
 @package.require('`colcon build` builds the package `warehouse`', see=DOOR)
