@@ -274,3 +274,19 @@ def test_a_file_is_rejected_by_the_strict_reader_just_where_a_finding_says_so(wr
         is_rejected = True
     assert is_rejected == any(each.kind in ('unreadable', 'no header') for each in findings)
     assert (findings.text() and findings.as_github()) or not findings
+
+
+@pytest.mark.parametrize(('text', 'places', 'words'), [
+    ('a: [{x: 1}, {x: 2}]', [(3, 8)], 'no lists of lists or of maps: rcl makes a.x.x = [1, 2] of this'),
+    ('a: [1.0, [2.0]]', [(3, 8)], 'no lists of lists or of maps: rcl makes a = [2.0] of this'),
+    ('inner:\n      ros__parameters: {a: 1, b: 2}', [(4, 25)],
+     'so /lift gets a parameter inner.ros__parameters.a: the block of a node begins in the first column'),
+    ('a: \u22121.5', [(3, 8)], 'a: there is a MINUS SIGN (U+2212)'),
+    ('a: 2.0\xa0', [(3, 8)], 'a NO-BREAK SPACE (U+00A0)'), ('a\u200b: 2.0', [(3, 5)], 'a ZERO WIDTH SPACE'),
+    ('a: \u201cbase\u201d', [(3, 8)], 'a LEFT DOUBLE QUOTATION MARK'),
+    ('a: "\u201cbase\u201d \u22121"', [], ''), ('a: 5\xa0\n    b: x \u2212 y', [(3, 8)], ''),
+])
+def test_what_rcl_reads_otherwise_than_it_looks_is_found(write, text, places, words):
+    found = check_files(write(f'/lift:\n  ros__parameters:\n    {text}\n'))
+    assert [(each.line, each.column) for each in found] == places
+    assert all(each.kind == 'likely mistake' and words in each.message for each in found)

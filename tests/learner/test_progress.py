@@ -37,18 +37,6 @@ def test_what_was_added_is_read_by_another_process_s_object(file):
     assert names(file) == ['progress.json']
 
 
-def test_the_first_time_counts(file, monkeypatch):
-    monkeypatch.setattr('param_tutorial.learner.progress._now', lambda: '2026-01-01T10:00:00')
-    file.add_solved('3b')
-    file.add_prediction('3-1', 'None', right=False)
-    monkeypatch.setattr('param_tutorial.learner.progress._now', lambda: '2026-02-02T10:00:00')
-    file.add_solved('3b')
-    file.add_prediction('3-1', 'an exception', right=True)
-    progress, _ = file.read()
-    assert progress.solved == {'3b': '2026-01-01T10:00:00'}
-    assert not progress.predicted['3-1'].right
-
-
 def test_what_a_check_missed_is_kept_until_the_exercise_is_solved(file):
     for missed in ({'it stops': 'it drove on'}, {'it stops': 'it drove on'}, {'it stops': 'it never moved'}):
         assert file.add_tried('3b', 2, missed) == ''

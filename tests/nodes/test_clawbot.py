@@ -30,6 +30,16 @@ def test_a_whole_drive_follows_the_closed_form():
     assert motion.end.position_m == pytest.approx(3.8)
 
 
+@given(speeds, accelerations)
+def test_its_braking_distance_is_v_squared_over_2a(speed, acceleration):
+    motion = plan(0.0, 0.0, Settings(speed, acceleration))
+    braking = [phase for phase in motion.phases if phase.word == 'BRAKING']
+    for phase in braking:
+        assert phase.velocity_mps <= speed
+        assert motion.end.position_m - phase.position_m == pytest.approx(phase.velocity_mps ** 2 / (2 * acceleration))
+    assert bool(braking) == (speed > 0)
+
+
 @given(st.floats(0.0, 3.5), st.floats(0.0, 5.0), speeds, accelerations, st.booleans(), st.floats(-0.3, 0.5))
 def test_every_motion_is_continuous(position, velocity, speed, acceleration, safety_on, offset):
     settings_ = Settings(speed, acceleration, safety_on, offset)
@@ -86,6 +96,14 @@ def test_safety_switched_on_late_brakes_as_hard_as_the_tires_can():
     too_late = plan(3.95, 1.0, ORDINARY)
     assert too_late.end.word == 'CRASHED'
     assert too_late.end.crash_speed_mps == pytest.approx(math.sqrt(1.0 - 2 * EMERGENCY_BRAKE_MPS2 * 0.05))
+
+
+def test_the_velocity_curve_has_a_corner_where_the_phase_changes():
+    motion = plan(0.0, 0.0, ORDINARY)
+    corners = motion.velocity_over_time()
+    assert [velocity for _, velocity in corners] == pytest.approx([0.0, 1.0, 1.0, 0.0])
+    assert [at for at, _ in corners] == pytest.approx([0.0, 2.0, 3.8, 5.8])
+    assert motion.velocity_over_time(1.0)[-1] == pytest.approx((1.0, 0.5))
 
 
 # -- the node, in time that the test lets pass ----------------------------------------------------------

@@ -13,7 +13,7 @@ import param_tutorial
 from param_tools.files import parameter_files
 from param_tutorial import ParameterClient
 from param_tutorial.exercises.chapters import ch10_3
-from param_tutorial.nodes.pid_controller_node import Gains, Motor, PidControllerNode, simulate
+from param_tutorial.nodes.pid_controller_node import STRATEGIES, Gains, Motor, PidControllerNode, simulate
 from tests.support.paths import CONFIG
 
 CONTROLLERS = CONFIG / 'clawbot_controllers.yaml'
@@ -54,6 +54,40 @@ def test_a_lagging_motor_speeds_up_as_the_formula_says(lag_sec):
             missing = ((slow_sec * math.exp(-at / slow_sec) - lag_sec * math.exp(-at / lag_sec))
                        / (slow_sec - lag_sec))
         assert speed == pytest.approx(10.0 * (1 - missing), abs=1e-6)
+
+
+@given(st.floats(0.01, 0.3))
+def test_p_alone_leaves_the_error_that_overcomes_friction(p):
+    figures = respond(Gains(p=p), duration_sec=10.0).figures
+    assert figures.steady_state_error == pytest.approx(10.0 * MOTOR.friction / (p + MOTOR.friction), rel=1e-6)
+
+
+def test_the_integral_removes_the_error_and_overshoots_and_d_reduces_that():
+    pi, pid = respond(Gains(0.4, 0.4), duration_sec=10).figures, respond(Gains(0.4, 0.4, 0.03), duration_sec=10).figures
+    assert pi.steady_state_error == pytest.approx(0.0, abs=1e-4)
+    assert pid.steady_state_error == pytest.approx(0.0, abs=1e-3)
+    assert pid.overshoot_percent < 5
+    assert pi.overshoot_percent > 20
+
+
+def test_a_clamp_winds_the_integral_up_and_each_strategy_prevents_it():
+    gains = Gains(0.2, 0.4, 0.01, 0.6, -0.6)
+    overshoot = {}
+    for strategy in STRATEGIES:
+        response = respond(replace(gains, antiwindup_strategy=strategy))
+        assert min(response.torques) >= -0.6 and max(response.torques) == 0.6
+        overshoot[strategy] = response.figures.overshoot_percent
+    assert overshoot['none'] > 25
+    assert max(overshoot['back_calculation'], overshoot['conditional_integration']) < 1
+
+
+def test_a_motor_limit_that_the_controller_does_not_know_causes_windup_too():
+    weak = replace(MOTOR, max_torque=0.6)
+    unaware = respond(Gains(0.2, 0.4, antiwindup_strategy='conditional_integration'), weak)
+    aware = respond(Gains(0.2, 0.4, 0.0, 0.6, -0.6, 'conditional_integration'), weak)
+    assert unaware.figures.overshoot_percent > 20
+    assert aware.figures.overshoot_percent < 1
+    assert max(unaware.torques) == max(aware.torques) == 0.6
 
 
 @pytest.mark.parametrize(('gains', 'seconds'), [

@@ -98,16 +98,6 @@ def test_what_changes_on_the_way_is_sent_from_where_the_robot_is(robot):
     assert (view._front.take, view._front.scene[:2]) == (take + 2, [0.0, 'SPEEDING UP'])
 
 
-def test_what_is_set_while_it_stands_or_waits_is_seen_at_once(robot):
-    view, client = RobotView(robot), ParameterClient(robot)
-    client.set_parameters({'enable_safety_mode': False, 'simulation.ambient_temperature_c': -10})
-    shows(view, 'safety off')
-    view.drive()
-    shows(view, '-10 °C is below')
-    client.set_parameters({'simulation.ambient_temperature_c': -20})  # still too cold, so the robot waits on
-    shows(view, '-20 °C is below')
-
-
 def test_it_is_made_before_its_robot_and_follows_one_that_is_replaced_or_gone(ros):
     view = RobotView('clawbot_node')
     assert view.text == '/clawbot_node is not running. It comes back here when it does.'

@@ -9,8 +9,7 @@ from rclpy.node import Node
 from param_tutorial import ParameterClient, wait_until
 from param_tutorial.nodes.pid_controller_node import Figures, Gains, Motor, PidControllerNode, simulate
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
-from param_tutorial.views import StepResponseView, plot_responses
-from param_tutorial.views.drawing.step_response import Wheel
+from param_tutorial.views import StepResponseView
 from param_tutorial.views.step_response import verdicts
 from tests.views.conftest import shows
 
@@ -98,12 +97,6 @@ def test_it_follows_a_controller_that_is_restarted_and_survives_one_that_is_gone
     shows(view, 'p = 0.4')
 
 
-def test_names_are_text(ros):
-    ros.add(PidControllerNode, ros_args=['-p', "dof_names:=['<b>', right]"])
-    view = StepResponseView('pid_controller_node')
-    assert view.text.startswith('<b> with p = 0.1') and '<b>' not in markup(view)[0]
-
-
 def test_what_it_cannot_simulate_it_names(ros):
     view = StepResponseView(ParameterClient(ros.add(SimpleParamNode)))
     assert view.text == '/simple_param_node has no parameter dof_names, so there is nothing to simulate.'
@@ -130,27 +123,3 @@ def test_values_that_cannot_be_simulated_are_reported(ros, controller, others):
 
 def respond(*gains, **options):
     return simulate(Gains(*gains), Motor(), 10.0, **{'rate_hz': 100, 'duration_sec': 3.0, **options})
-
-
-def test_a_plot_tells_the_figures_in_words_instead_of_its_points():
-    plot = plot_responses({'P': respond(0.1), 'PI': respond(0.1, 0.2)})
-    assert plot.text == ('speed in rad/s over time in s. reference: 10 rad/s. '
-                         f'P: {respond(0.1).figures}. PI: {respond(0.1, 0.2).figures}')
-
-
-@pytest.mark.parametrize(('responses', 'error', 'words'), [
-    ({}, ValueError, 'one to three responses; got 0'), ({name: respond(0.1) for name in 'abcd'}, ValueError, 'got 4'),
-    (3, TypeError, 'a dictionary of step responses'), ({'p': 'fast'}, TypeError, 'a dictionary of step responses')])
-def test_what_cannot_be_plotted_is_rejected(responses, error, words):
-    with pytest.raises(error, match=words):
-        plot_responses(responses)
-
-
-def test_the_wheel_turns_as_far_as_the_speed_says_and_rests_there():
-    steady = Wheel([(number / 100, 10.0) for number in range(301)])
-    assert steady.duration_sec == pytest.approx(3.0) and len(steady.angles) < 45
-    assert steady.angles[-1] == pytest.approx((3.0, 30.0))
-    assert 'style="transform:rotate(1718.9deg);animation' in steady.html()
-    assert [angle for _, angle in Wheel([(0.0, 0.0), (1.0, 2.0), (2.0, 2.0)]).angles] == pytest.approx([0.0, 1.0, 3.0])
-    with pytest.raises(ValueError, match='two points'):
-        Wheel([(0.0, 0.0)])

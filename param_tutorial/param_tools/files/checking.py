@@ -7,6 +7,7 @@ them with descriptions of the nodes, and returns each mistake with its line and 
 
 import difflib
 import re
+import unicodedata
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -21,14 +22,14 @@ from param_tools.files.descriptions import DescribedParameter, Descriptions
 from param_tools.files.headers import cause_of
 from param_tools.files.node_names import flaw_of_block_name
 from param_tools.files.parameter_files import format_scalar, read_bytes
-from param_tools.files.parsing import Assignment, BlockStart, Entry, Parser, Place, effective, matches, typed
+from param_tools.files.parsing import KEY, Assignment, BlockStart, Entry, Parser, Place, effective, matches, typed
 from param_tools.values import ParameterType
 
 # What a finding is about, and whether the file surely does something else than it says.
 KINDS = {
     'unreadable': 'error', 'no header': 'error', 'unknown node': 'error', 'never matched': 'error',
     'unknown parameter': 'error', 'wrong type': 'error', 'out of range': 'error', 'off the step': 'error',
-    'not filled in': 'error', 'duplicate': 'warning', 'overridden': 'warning',
+    'not filled in': 'error', 'likely mistake': 'warning', 'duplicate': 'warning', 'overridden': 'warning',
 }
 # An array of more characters is not written out in a remedy.
 _LONGEST_REMEDY = 100
@@ -149,6 +150,7 @@ class _Check:
         self._check_blocks()
         self._check_values()
         self._check_overridden()
+        self._check_unlikely()
         order = {file: number for number, file in enumerate(self._files)}
         found = Findings(sorted(self._found.values(), key=lambda each: (order[each.file], each.line, each.column)))
         found.left_to_launch = tuple(f'{file}:{line}' for file, line in sorted(
@@ -285,6 +287,34 @@ class _Check:
                     self._add(loser.file, loser.place, 'overridden',
                               f'{node} gets {values.format_value(winner.value, 60)} for {loser.name}, from {where}: '
                               f'{_why(loser, winner)}', node, loser.name)
+
+
+    # -- what rcl reads otherwise than it looks ----------------------------------------------------------
+
+    def _check_unlikely(self) -> None:
+        told = set()
+        for each in self._parser.assignments:
+            above, inner_header, _ = each.name.rpartition(f'{KEY}.')
+            if inner_header and (each.file, each.block, above) not in told:
+                told.add((each.file, each.block, above))
+                self._add(each.file, each.name_place, 'likely mistake',
+                          f'{KEY} stands below another {KEY}, so {each.block} gets a parameter {each.name}: the block '
+                          f'of a node begins in the first column', each.block, each.name)
+            if each.is_nested and not self._parser.rejected:
+                self._add(each.file, each.place, 'likely mistake',
+                          f'ROS has no lists of lists or of maps: rcl makes {each.name} = '
+                          f'{values.format_value(each.value, 60)} of this', each.block, each.name)
+            written = [(each.name, each.name_place), *((scalar.text, scalar.place) for scalar in each.scalars)]
+            for text, place in written:
+                # Quotes would say that the sign is meant.
+                if place.end - place.start == len(text) and (sign := _LOOKALIKE.search(text)):
+                    self._add(each.file, place, 'likely mistake',
+                              f'{each.name}: there is a {unicodedata.name(sign[0][0])} (U+{ord(sign[0][0]):04X}), as '
+                              f'on web pages, where YAML needs a plain sign', each.block, each.name)
+
+
+# A minus before a number, quotes around a text, and blanks that can't be seen, all as web pages have them.
+_LOOKALIKE = re.compile('^[\u2010-\u2015\u2212](?=[\\d.])|^[\u2018-\u201f]|[\xa0\u200b-\u200d\u2060\ufeff]')
 
 
 def _winner(entry: Entry | None) -> Assignment | None:

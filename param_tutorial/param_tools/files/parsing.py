@@ -102,6 +102,8 @@ class Assignment:
     scalars: list[Scalar] = field(default_factory=list)
     is_damaged: bool = False
     """rcl rejects a part of it."""
+    is_nested: bool = False
+    """It is written as a list with a list or a map in it, of which rcl makes one list."""
 
     @property
     def value(self) -> Any:
@@ -152,6 +154,7 @@ class Entry:
 
 
 _KINDS = (bool, int, float, str)
+_ARTICLES = {bool: 'a boolean', int: 'an integer', float: 'a double', str: 'a string'}
 
 
 class Rejected(Exception):
@@ -314,7 +317,9 @@ class Parser:
             return
         self.item_type = None
         # A list in a list is read as if the outer one began anew.
-        if not (is_inner and self.assignment) and self.entry < len(self.block):
+        if is_inner and self.assignment:
+            self.assignment.is_nested = True
+        elif self.entry < len(self.block):
             self._assign(place, is_array=True)
 
     def _leave_mapping(self) -> None:
@@ -358,6 +363,7 @@ class Parser:
             if self.in_sequence and self.assignment in entry.assignments:
                 # A map in a list: rcl gives the list the longer name.
                 self.assignment.name, self.assignment.name_place = entry.name, place
+                self.assignment.is_nested = True
 
     def _node_key(self, name: str, place: Place) -> None:
         if not name.startswith(KEY):
@@ -427,8 +433,10 @@ class Parser:
             array.scalars.clear()
         array = array or entry.last(True, kind)
         if self.item_type is not kind or array is None:
-            self._object(place, f'the elements of {entry.name} must all be of one type; {event.value!r} is not like '
-                                f'those before it')
+            remedy = ('write each of them with a dot' if {kind, self.item_type} == {int, float} else
+                      'put each of them into quotes if they are texts')
+            self._object(place, f'the elements of {entry.name} must all be of one type; {event.value!r} is '
+                                f'{_ARTICLES[kind]}, and those before it are not: {remedy}')
             if self.assignment is not None:
                 self.assignment.is_damaged = True
             return
