@@ -172,7 +172,7 @@ DOCUMENTS = st.lists(st.tuples(NODE, BLOCK), max_size=3).map(
     lambda items: ''.join(f'{node}: {block}\n' for node, block in items))
 
 
-@settings(max_examples=400)
+@settings(max_examples=200)
 @given(DOCUMENTS)
 @example('/**: {ros__parameters: {a: 1}}\n/lab/reader: {ros__parameters: {a: 2}}\n/**: {ros__parameters: {a: 3}}')
 @example('/**: {ros__parameters: {1: b, 1: {a: 1, b: 1.5, b: {p: 3}, b: true}}}')
@@ -192,7 +192,7 @@ def test_documents_are_read_or_rejected_as_rcl_reads_or_rejects_them(ros, text):
         assert expected is not None and same(found, expected)
 
 
-@settings(max_examples=400)
+@settings(max_examples=200)
 @given(DOCUMENTS)
 @example('/n:\n  ros__parameters:\n    a: [1, x]\n')
 @example('/n:\n  ros__parameters:\n    a: 1\n    b: *x\n')
