@@ -124,7 +124,7 @@ WRONG = {
            'SetParametersResult(successful')], 6, 'an on-set callback has only a proposal'),
         ([('(KeyboardInterrupt, ExternalShutdownException)', 'KeyboardInterrupt')], 6, 'That is what SIGTERM raises'),
         ([('floor <= top_floor', 'floor < top_floor')], 5, 'there is no floor 5: the top floor is 5'),
-        ([('0 <= floor <= top_floor', 'floor <= top_floor')], 6, 'it was accepted'),
+        ([('0 <= floor <= top_floor', 'floor <= top_floor')], 5, 'it was accepted'),
         ([("proposed.get('top_floor', self.get_parameter('top_floor').value)",
            "self.get_parameter('top_floor').value")], 5, 'it was accepted'),
         ([('        self.add_on_set_parameters_callback(self.validate)\n', '')], 4, 'it was accepted'),
