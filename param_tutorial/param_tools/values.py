@@ -132,6 +132,12 @@ def type_of(value: Any) -> ParameterType:
                             f'float, str, or a list of one of them')
 
 
+def describe_type(value: Any) -> str:
+    """Return the type of a value with its article, such as 'an integer'."""
+    label = type_of(value).label
+    return f'an {label}' if label[0] in 'aeiou' else f'a {label}'
+
+
 def _check_content(value: Any) -> None:
     """Raise InvalidValueError for what the type allows and the message cannot carry."""
     for item in value if isinstance(value, list) else (value,):

@@ -229,6 +229,8 @@ def test_check_launch_names_the_line_that_sets_a_value(tmp_path, monkeypatch, fi
         else:
             found[f'{node} {words[0].rstrip(":")}'] = words[-1]
     assert found == {name: place if isinstance(place, str) else f'{file}:{place}' for name, place in places.items()}
+    (tmp_path / file).write_text(f'\n{PLACES[file]}')  # edited, and checked once more
+    assert f'{file}:{places["/left rate"] + 1}\n' in check(file)[0]
 
 
 def test_a_substitution_that_nothing_fills_in_is_found(lab):

@@ -33,6 +33,8 @@ KINDS = {
 }
 # An array of more characters is not written out in a remedy.
 _LONGEST_REMEDY = 100
+# A minus before a number, quotes around a text, and blanks that can't be seen, all as web pages have them.
+_LOOKALIKE = re.compile('^[\u2010-\u2015\u2212](?=[\\d.])|^[\u2018-\u201f]|[\xa0\u200b-\u200d\u2060\ufeff]')
 
 
 @dataclass(frozen=True, order=True)
@@ -288,7 +290,6 @@ class _Check:
                               f'{node} gets {values.format_value(winner.value, 60)} for {loser.name}, from {where}: '
                               f'{_why(loser, winner)}', node, loser.name)
 
-
     # -- what rcl reads otherwise than it looks ----------------------------------------------------------
 
     def _check_unlikely(self) -> None:
@@ -311,10 +312,6 @@ class _Check:
                     self._add(each.file, place, 'likely mistake',
                               f'{each.name}: there is a {unicodedata.name(sign[0][0])} (U+{ord(sign[0][0]):04X}), as '
                               f'on web pages, where YAML needs a plain sign', each.block, each.name)
-
-
-# A minus before a number, quotes around a text, and blanks that can't be seen, all as web pages have them.
-_LOOKALIKE = re.compile('^[\u2010-\u2015\u2212](?=[\\d.])|^[\u2018-\u201f]|[\xa0\u200b-\u200d\u2060\ufeff]')
 
 
 def _winner(entry: Entry | None) -> Assignment | None:

@@ -78,15 +78,10 @@ class DescribedParameter:
             fits = descriptor.type.is_array if values.is_empty_array(value) else descriptor.type.accepts(value)
             if not fits:
                 return Objection('wrong type', f'it is of type {descriptor.type.label}, and '
-                                               f'{values.format_value(value, 60)} is {_label(value)}')
+                                               f'{values.format_value(value, 60)} is {values.describe_type(value)}')
         if descriptor.range is not None and type(value) in (int, float):
             return _outside(value, descriptor.range)
         return None
-
-
-def _label(value: Any) -> str:
-    label = values.type_of(value).label
-    return f'an {label}' if label[0] in 'aeiou' else f'a {label}'
 
 
 def _outside(value: int | float, limits: Range) -> Objection | None:

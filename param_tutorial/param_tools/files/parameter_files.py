@@ -23,7 +23,7 @@ import yaml
 from param_tools import values
 from param_tools.errors import InvalidValueError, ParameterFileError
 from param_tools.files.headers import cause_of
-from param_tools.files.parsing import KEY, Entry, Parser, Rejected, effective, matches, typed
+from param_tools.files.parsing import KEY, Entry, Parser, Rejected, effective, typed
 
 _LINE_LENGTH = 100
 # The longest plain key that YAML takes without a leading question mark is 1024 bytes.
@@ -44,7 +44,7 @@ def read(path: str | Path, node: str) -> dict[str, Any]:
     :raises ParameterFileError: the file cannot be read, rcl would reject it, or it holds nothing for the node.
     """
     parser = parse(path)
-    if not any(matches(name, node) for name in parser.blocks):
+    if not parser.blocks_for(node):
         names = ', '.join(parser.blocks) or 'no node at all'
         raise ParameterFileError(f'{path} holds nothing for {node}; it is for {names}. A block for this node starts '
                                  f'with "{node}:" or "/**:"')
@@ -61,7 +61,7 @@ def read_all(path: str | Path, nodes: Iterable[str] = ()) -> dict[str, dict[str,
     parser = parse(path)
     named = ('/' + name.strip('/') for name in parser.blocks if '*' not in name)
     return {node: values_of(path, effective(parser, node)) for node in dict.fromkeys((*named, *nodes))
-            if any(matches(name, node) for name in parser.blocks)}
+            if parser.blocks_for(node)}
 
 
 def parse(path: str | Path) -> Parser:

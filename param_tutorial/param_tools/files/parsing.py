@@ -154,7 +154,6 @@ class Entry:
 
 
 _KINDS = (bool, int, float, str)
-_ARTICLES = {bool: 'a boolean', int: 'an integer', float: 'a double', str: 'a string'}
 
 
 class Rejected(Exception):
@@ -197,9 +196,9 @@ class Parser:
         """:param tolerant: Note what rcl would reject in ``rejected``, and read on as far as that is possible."""
         self.blocks: dict[str, list[Entry]] = {}
         """What was read so far, by the names of the blocks, in the order in which the names first appeared."""
-        # The names of the blocks: those for one node each, and those with wildcards. A file may have a thousand.
-        self._exact: defaultdict[str, list[str]] = defaultdict(list)
-        self._wild: list[str] = []
+        # The blocks for one node each, and those with wildcards: their numbers and names. A file may have thousands.
+        self._exact: defaultdict[str, list[tuple[int, str]]] = defaultdict(list)
+        self._wild: list[tuple[int, str]] = []
         # Where in each block the entries of a name are: a file may hold ten thousand.
         self._places: defaultdict[tuple[str, str], set[int]] = defaultdict(set)
         self.starts: list[BlockStart] = []
@@ -245,11 +244,8 @@ class Parser:
 
         :param node: Fully qualified name.
         """
-        found = [*self._exact.get(node, ()), *(name for name in self._wild if matches(name, node))]
-        if len(found) < 2:
-            return found
-        order = {name: number for number, name in enumerate(self.blocks)}
-        return sorted(found, key=order.__getitem__)
+        wild = [each for each in self._wild if matches(each[1], node)]
+        return [name for _, name in sorted([*self._exact.get(node, ()), *wild])]
 
     def _parse(self, content: bytes) -> None:
         held: yaml.Event | None = None
@@ -388,7 +384,7 @@ class Parser:
     def _enter(self, name: str) -> None:
         """Go on in the block of a name, which may be a new one."""
         if name not in self.blocks:
-            (self._wild if '*' in name else self._exact[_with_slash(name)]).append(name)
+            (self._wild if '*' in name else self._exact[_with_slash(name)]).append((len(self.blocks), name))
         self.block = self.blocks.setdefault(name, [])
 
     def _select(self, name: str, place: Place) -> None:
@@ -436,7 +432,7 @@ class Parser:
             remedy = ('write each of them with a dot' if {kind, self.item_type} == {int, float} else
                       'put each of them into quotes if they are texts')
             self._object(place, f'the elements of {entry.name} must all be of one type; {event.value!r} is '
-                                f'{_ARTICLES[kind]}, and those before it are not: {remedy}')
+                                f'{values.describe_type(scalar.value)}, and those before it are not: {remedy}')
             if self.assignment is not None:
                 self.assignment.is_damaged = True
             return

@@ -137,6 +137,11 @@ def own_descriptor(node: Node, name: str) -> ParameterDescriptor:
     return node.describe_parameter(name)
 
 
+def has_judge(node: Any) -> bool:
+    """True if somebody has registered a callback that may reject; rclpy itself registers one, for ``use_sim_time``."""
+    return len(node._on_set_parameters_callbacks) > 1 or bool(node._pre_set_parameters_callbacks)
+
+
 def observe_changes(node: Node, call_instead: CallInstead,
                     publish_instead: Callable[[Callable[[ParameterEvent], None], ParameterEvent], None],
                     set_instead: Callable[[SetParameters, list[Parameter]], SetParametersResult] | None = None,
@@ -168,11 +173,6 @@ def observe_changes(node: Node, call_instead: CallInstead,
             setattr(node, attribute, original)
         del publisher.publish
     return stop_observing
-
-
-def has_judge(node: Any) -> bool:
-    """True if somebody has registered a callback that may reject; rclpy itself registers one, for ``use_sim_time``."""
-    return len(node._on_set_parameters_callbacks) > 1 or bool(node._pre_set_parameters_callbacks)
 
 
 class _Observed(list[ParameterCallback]):

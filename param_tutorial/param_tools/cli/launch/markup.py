@@ -57,7 +57,7 @@ class Entity:
 
 
 def _from_xml(path: Path) -> Entity:
-    # What is open: the arguments of an Entity, its children last of all that are not in keywords.
+    # What is open, each with the arguments of its Entity; below all of them, a place for the root.
     elements: list[tuple[str, dict[str, str], list[Entity], Origin]] = [('', {}, [], Origin(path, 1))]
 
     def end(_tag: str) -> None:

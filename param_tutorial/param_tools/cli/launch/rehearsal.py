@@ -64,6 +64,16 @@ class RehearsedNode:
     files: list[Path] = field(default_factory=list)
     """The parameter files that it gets, in this order, with those that launch writes."""
 
+    @functools.cached_property
+    def winners(self) -> list[tuple[str, Assignment]]:
+        """The names of the parameters that it gets, sorted, and where each value comes from."""
+        parser = Parser(tolerant=True)
+        for path in self.files:
+            if path.is_file():
+                parser.parse(read_bytes(path), str(path))
+        return [(name, winner) for name, entry in sorted(effective(parser, self.name).items())
+                if (winner := entry.winner()) is not None]
+
     def description(self, known: Descriptions) -> NodeDescription | None:
         """Return the description of a node of this name, or else the one that is named like its program."""
         executable = self.program.rpartition('/')[2]
@@ -112,15 +122,7 @@ class RehearsedLaunch:
     def given(self, node: RehearsedNode) -> list[Given]:
         """Return what a node gets, by name."""
         return [Given(name, winner.value, _written(*self._place(winner.file, winner.place.line, name)))
-                for name, winner in self._winners(node)]
-
-    def _winners(self, node: RehearsedNode) -> list[tuple[str, Assignment]]:
-        parser = Parser(tolerant=True)
-        for path in node.files:
-            if path.is_file():
-                parser.parse(read_bytes(path), str(path))
-        return [(name, winner) for name, entry in sorted(effective(parser, node.name).items())
-                if (winner := entry.winner()) is not None]
+                for name, winner in node.winners]
 
     def lines(self) -> Iterator[str]:
         """Return the lines that say what each node gets."""
@@ -149,7 +151,7 @@ class RehearsedLaunch:
             for each in (*result, *self._never_matched(node, files)):
                 if each.kind != 'unknown node' or not any(matches(each.node, other) for other in others):
                     found[self._moved(each)] = None
-            for name, winner in self._winners(node):
+            for name, winner in node.winners:
                 if winner.file not in self._context.origins and re.search(r'\$\([a-z]', str(winner.value)):
                     found[FileFinding(winner.file, winner.place.line, winner.place.column, 'not filled in', (
                         f'{node.name} gets this text as it stands: launch replaces a part of a file only if it is '
@@ -173,8 +175,7 @@ class RehearsedLaunch:
             parser = Parser(tolerant=True)
             parser.parse(read_bytes(path), str(path))
             # One file for several nodes is usual.
-            if parser.blocks and not parser.rejected and not any(
-                    matches(block, each.name) for block in parser.blocks for each in self.nodes):
+            if parser.blocks and not parser.rejected and not any(parser.blocks_for(each.name) for each in self.nodes):
                 start = parser.starts[0]
                 yield FileFinding(str(path), start.place.line, start.place.column, 'never matched',
                                   f'the launch file gives {node.name} this file, and no block in it is for that node: '
@@ -209,12 +210,10 @@ def _written(file: str, line: int) -> str:
     return f'{file}:{line}' if line else file
 
 
-@functools.cache
-def _calls(file: Path) -> list[ast.Call]:
-    """Return the calls in a launch file in Python, inner ones first."""
-    if file.suffix != '.py':
-        return []
-    found = [each for each in ast.walk(ast.parse(file.read_bytes())) if isinstance(each, ast.Call)]
+@functools.lru_cache(16)
+def _calls(source: bytes) -> list[ast.Call]:
+    """Return the calls in Python code, inner ones first. Each value of a launch file asks about the same code."""
+    found = [each for each in ast.walk(ast.parse(source)) if isinstance(each, ast.Call)]
     return sorted(found, key=lambda each: (each.end_lineno or 0) - each.lineno)
 
 
@@ -223,10 +222,14 @@ def _line_of_key(file: Path, line: int, name: str) -> int:
 
     :param line: Where the call begins.
     """
+    if file.suffix != '.py':
+        return 0
     names = (name, name.rpartition('.')[2])
-    for call in _calls(file):
+    for call in _calls(file.read_bytes()):
+        if call.lineno != line:
+            continue
         lines = [key.lineno for each in ast.walk(call) if isinstance(each, ast.Dict) for key in each.keys
-                 if isinstance(key, ast.Constant) and key.value in names] if call.lineno == line else []
+                 if isinstance(key, ast.Constant) and key.value in names]
         if lines:
             return lines[0] if len(lines) == 1 else 0
     return 0
