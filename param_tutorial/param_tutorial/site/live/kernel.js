@@ -86,6 +86,11 @@ export function digest(outputs) {
   return hash.toString(36);
 }
 
+// A message for each of 200,000 prints would leave a page no time to draw. So many are told one by one; what comes
+// after them without a pause goes together.
+const PRINTS = 1000;
+const PAUSE_MS = 50;
+
 /** Runs cells, one after the other. */
 export class Kernel {
   /** The id of the cell that runs, or ran last: as in ipykernel, what a callback prints later belongs to it. */
@@ -97,6 +102,10 @@ export class Kernel {
   names = new Map();
   /** @type {Map<string, string>} */
   comms = new Map();
+  /** What is printed and not told yet. */
+  printed = {name: '', text: ''};
+  prints = 0;
+  toldAt = 0;
 
   /**
    * @param {any} python Pyodide, with the packages.
@@ -104,29 +113,58 @@ export class Kernel {
    */
   constructor(python, say) {
     this.python = python;
-    this.say = say;
+    this.post = say;
     python.runPython(PREPARE);
     const {kernel_instance, ipython_shell, stdout_stream, stderr_stream} = python.pyimport('pyodide_kernel');
     this.kernel = kernel_instance;
     this.settle = python.runPython(SETTLE);
-    const output = (/** @type {any} */ content) => say({is: 'output', cell: this.cell, output: content});
-    const stream = (/** @type {string} */ name, /** @type {string} */ text) =>
-      output({output_type: 'stream', name, text});
-    stdout_stream.publish_stream_callback = stream;
-    stderr_stream.publish_stream_callback = stream;
+    const output = (/** @type {any} */ content) => this.say({is: 'output', cell: this.cell, output: content});
+    const print = (/** @type {string} */ name, /** @type {string} */ text) => this.print(name, text);
+    stdout_stream.publish_stream_callback = print;
+    stderr_stream.publish_stream_callback = print;
     const {display_pub, displayhook} = ipython_shell;
-    display_pub.clear_output_callback = (/** @type {boolean} */ wait) => say({is: 'clear', cell: this.cell, wait});
+    display_pub.clear_output_callback = (/** @type {boolean} */ wait) => this.say({is: 'clear', cell: this.cell, wait});
     display_pub.display_data_callback = (/** @type {any} */ data, /** @type {any} */ _, /** @type {any} */ transient) =>
       output({output_type: 'display_data', data: this.data(data), display: this.plain(transient)?.display_id});
     display_pub.update_display_data_callback = (
       /** @type {any} */ data,
       /** @type {any} */ _,
       /** @type {any} */ how,
-    ) => say({is: 'update', display: this.plain(how)?.display_id, output: {data: this.data(data)}});
+    ) => this.say({is: 'update', display: this.plain(how)?.display_id, output: {data: this.data(data)}});
     displayhook.publish_execution_result = (/** @type {number} */ _, /** @type {any} */ data) =>
       output({output_type: 'execute_result', data: this.data(data)});
     ipython_shell.send_comm = (/** @type {string} */ type, /** @type {any} */ content) =>
       this.hear(type, this.plain(content));
+  }
+
+  /** @param {Said} said */
+  say(said) {
+    this.tellPrinted();
+    this.post(said);
+  }
+
+  /**
+   * @param {string} name Of the stream.
+   * @param {string} text
+   */
+  print(name, text) {
+    if (this.printed.name !== name) this.tellPrinted();
+    const isPaused = performance.now() - this.toldAt > PAUSE_MS;
+    const isFirst = !this.printed.text;
+    if (isFirst && isPaused) this.prints = 0;
+    this.printed = {name, text: this.printed.text + text};
+    this.prints += 1;
+    if (isPaused || this.prints <= PRINTS) this.tellPrinted();
+    else if (isFirst) setTimeout(() => this.tellPrinted());
+  }
+
+  /** Tell what was printed, if anything. */
+  tellPrinted() {
+    const {name, text} = this.printed;
+    if (!text) return;
+    this.printed = {name: '', text: ''};
+    this.toldAt = performance.now();
+    this.post({is: 'output', cell: this.cell, output: {output_type: 'stream', name, text}});
   }
 
   /** @param {any} value */
