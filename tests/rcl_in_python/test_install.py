@@ -54,12 +54,16 @@ def test_where_there_is_no_numpy_messages_get_what_they_use_of_it():
 from importlib.machinery import PathFinder
 find_spec = PathFinder.find_spec
 PathFinder.find_spec = lambda name, *more: None if name == 'numpy' else find_spec(name, *more)
+from geometry_msgs.msg import Twist, Vector3
+from sensor_msgs.msg import Range
 from service_msgs.msg import ServiceEventInfo
 from rclpy.serialization import deserialize_message, serialize_message
 info = ServiceEventInfo(client_gid=range(16), sequence_number=7)
 print(deserialize_message(serialize_message(info), ServiceEventInfo) == info, info == ServiceEventInfo())
+print(deserialize_message(serialize_message(Twist(linear=Vector3(x=0.1))), Twist).linear.x,
+      deserialize_message(serialize_message(Range(range=0.1)), Range).range)
 print(sys.modules['numpy'].__doc__.startswith('As much of numpy'))
-''') == 'True False\nTrue\n'
+''') == 'True False\n0.1 0.10000000149011612\nTrue\n'
 
 
 @pytest.mark.thorough

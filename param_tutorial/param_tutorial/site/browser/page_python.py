@@ -39,9 +39,10 @@ _COMPILE = Path(__file__).with_name('compile.mjs')
 # In place of the kernel's own, which would import micropip.
 _PIPLITE = Path(__file__).with_name('piplite')
 # Import packages that are pure Python but for a few compiled files, in whose place the layer stands.
-_INSTALLED = ('action_msgs', 'ament_index_python', 'builtin_interfaces', 'lifecycle_msgs', 'rcl_interfaces', 'rclpy',
-              'rosgraph_msgs', 'rosidl_generator_py', 'rosidl_parser', 'rosidl_pycommon', 'rpyutils', 'service_msgs',
-              'type_description_interfaces', 'unique_identifier_msgs', 'yaml')
+_INSTALLED = ('action_msgs', 'ament_index_python', 'builtin_interfaces', 'geometry_msgs', 'lifecycle_msgs',
+              'rcl_interfaces', 'rclpy', 'rosgraph_msgs', 'rosidl_generator_py', 'rosidl_parser', 'rosidl_pycommon',
+              'rpyutils', 'sensor_msgs', 'service_msgs', 'std_msgs', 'type_description_interfaces',
+              'unique_identifier_msgs', 'yaml')
 # The kernel fetches each of these by itself, unless a package of that name is loaded.
 _KERNEL = ('comm', 'ipykernel', 'ipython', 'jedi', 'micropip', 'piplite', 'pyodide-kernel')
 _COURSE, _NEEDS, _START = 'param-course', 'param-course-needs', 'param-course-start'
