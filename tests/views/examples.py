@@ -15,7 +15,6 @@ from param_tutorial.views.drawing.number_line import Attempt, Scale, draw_number
 from param_tutorial.views.drawing.plane import Way, draw_plane
 from param_tutorial.views.drawing.requests import SentValue, Side, draw_requests
 from param_tutorial.views.drawing.robot import Robot
-from param_tutorial.views.drawing.ros_graph import NodeGraph
 from param_tutorial.views.drawing.timeline import Step, Timeline
 from param_tutorial.views.drawing.trail import Moment, Move, draw_trail
 from param_tutorial.views.drawing.worlds import World, draw_worlds
@@ -147,7 +146,4 @@ EXAMPLES = {
         waiting_for='it is cold').at(0.0)),
     'robot_sentences': ''.join(f'<p>{driving.Moment(_PATIENT, each).text}</p>' for each in _STATES),
     'cart': driving.still(cart_on_trip('/cart', 1.0, 0.5).at(math.inf)),
-    'graph': NodeGraph(serves=['/b', '/a'], asks=[('/b', '/a'), (EVIL, '/a'), (EVIL, '/gone')], tells=['/a', '/b'],
-                       listens=['/b'])._repr_html_(),
-    'graph_of_nobody': NodeGraph(serves=[], asks=[], tells=[], listens=[])._repr_html_(),
     'timeline': Timeline('/robot', 'speed', _REJECTED)._repr_html_()}

@@ -12,7 +12,6 @@ import param_tutorial
 from param_tools.errors import InvalidValueError, NodeNotFoundError
 from param_tutorial import ParameterClient, views, wait_until
 from param_tutorial.nodes.param_event_monitor import ParamEventMonitor
-from param_tutorial.nodes.param_query_node import ParamQueryNode
 from tests.support.widgets import texts
 from tests.views.conftest import Weather
 
@@ -51,7 +50,7 @@ def test_what_is_added_is_played_and_a_closed_view_draws_no_more():
     assert view._drawn.value in played
 
 
-# -- calls, checks, planes, graphs ---------------------------------------------------------------------------
+# -- calls, checks, planes ---------------------------------------------------------------------------------
 
 def test_calls_are_real_and_show_what_came_back(weather):
     view, pair = views.CallsView(), {'high_c': 30, 'low_c': 'cold'}
@@ -113,22 +112,6 @@ def test_the_ways_in_a_plane_are_those_of_real_requests_and_the_node_has_what_it
     with pytest.raises(ValueError, match='does not take the start'):
         view.go('never', {'low_c': 20, 'high_c': 10}, {'high_c': 30})
     assert ParameterClient(weather).get_parameters(['low_c', 'high_c']) == {'low_c': -5, 'high_c': 40}
-
-
-def test_the_graph_is_what_is_connected(ros, weather):
-    ros.add(ParamEventMonitor)
-    query = ros.add(ParamQueryNode)
-    ros.add(Node, '_hidden')
-    for name in ('/weather', '/_hidden'):
-        ParameterClient(name).list_parameters()
-    graph = views.node_graph()
-    assert {'/weather', '/param_event_monitor', '/param_query_node'} <= set(graph.serves)
-    assert {'/param_event_monitor', 'this notebook'} <= set(graph.listens)
-    assert {('this notebook', '/weather'), ('/param_query_node', '/simple_param_node')} <= set(graph.asks)
-    # /wether: the stage still has the client of a test that may have run before this one.
-    assert set(graph.missing) - {'/wether'} == {'/simple_param_node'} and '_hidden' not in repr(graph)
-    ros.remove(query)
-    assert '/param_query_node' not in views.node_graph().askers
 
 
 # -- trails --------------------------------------------------------------------------------------------------

@@ -23,7 +23,6 @@ with lazy.Imports(__name__) as _imports:
     from param_tutorial.views.plane import PlaneView as PlaneView
     from param_tutorial.views.requests import RequestsView as RequestsView
     from param_tutorial.views.robot import RobotView as RobotView
-    from param_tutorial.views.ros_graph import node_graph as node_graph
     from param_tutorial.views.set_recorder import record_change as record_change
     from param_tutorial.views.side_by_side import SideBySide as SideBySide
     from param_tutorial.views.step_response import StepResponseView as StepResponseView

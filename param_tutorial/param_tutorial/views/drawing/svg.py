@@ -18,7 +18,6 @@ BRAND = 'var(--jp-brand-color1, #1976d2)'
 PAPER = 'var(--jp-layout-color2, #eee)'
 BOLD = ' font-weight="bold"'
 STROKE = f'stroke="{INK}" stroke-width="1.5"'
-DASHES = ' stroke-dasharray="5 4"'
 _TEXT = f' fill="{INK}" font-size="13" font-family="var(--jp-ui-font-family, sans-serif)"'
 
 STYLE = styles.style('param_tutorial/views/drawing/svg.css')
