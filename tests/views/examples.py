@@ -6,7 +6,6 @@ from param_tutorial.nodes.clawbot_node import Motion, Settings, State, plan
 from param_tutorial.views.cart import cart_on_trip
 from param_tutorial.views.drawing import driving
 from param_tutorial.views.drawing.calls import Call, Line, draw_calls
-from param_tutorial.views.drawing.checks import draw_checks
 from param_tutorial.views.drawing.ladder import draw_ladder
 from param_tutorial.views.drawing.layers import draw_layers
 from param_tutorial.views.drawing.lifts import draw_lifts
@@ -49,10 +48,6 @@ _CALLS = [
     Call('/amr', 'get_parameters', ('tool',), problem='there is no node /amr. Did you mean /arm?', is_delivered=False),
     Call('/dozing', 'list_parameters', (), problem='/dozing did not answer within 0.5 s')]
 
-_CHECKS = [('serial', "'x'", 'read only'), ('sped', '50', 'undeclared'), ('speed', "'fast'", 'wrong type'),
-           ('speed', '905', 'out of range'), ('speed', '45', 'off the step'),
-           ('max_speed_rpm', '60', 'rejected by the node'), ('speed', '70', 'accepted')]
-
 _LISTENERS = {'/monitor': Listener('reliable, volatile'), 'this notebook': Listener('reliable, volatile'),
               '/hopeful': Listener('reliable, transient local', 'incompatible QoS')}
 
@@ -85,7 +80,6 @@ _DECLARED = ['from outside', 'declare_parameter', 'the node has']
 DIAGRAMS = {
     'calls': draw_calls('this notebook', _CALLS),
     'calls_none': draw_calls('this notebook', []),
-    'checks': draw_checks('/strict', _CHECKS),
     'ladder_accepted': draw_ladder('/robot', 'speed', _ACCEPTED),
     'ladder_rejected': draw_ladder('/robot', 'speed', _REJECTED, _WHY),
     'ladder_out_of_range': draw_ladder('/robot', 'speed', _OUT_OF_RANGE, 'out of range'),

@@ -8,7 +8,6 @@ from param_tools import lazy
 with lazy.Imports(__name__) as _imports:
     from param_tutorial.views.calls import CallsView as CallsView
     from param_tutorial.views.cart import CartView as CartView
-    from param_tutorial.views.checks import ChecksView as ChecksView
     from param_tutorial.views.copies import CopiesView as CopiesView
     from param_tutorial.views.declarations import DeclarationsView as DeclarationsView
     from param_tutorial.views.drawing.plots import LinePlot as LinePlot
