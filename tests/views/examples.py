@@ -16,7 +16,6 @@ from param_tutorial.views.drawing.requests import SentValue, Side, draw_requests
 from param_tutorial.views.drawing.robot import Robot
 from param_tutorial.views.drawing.timeline import Step, Timeline
 from param_tutorial.views.drawing.trail import Moment, Move, draw_trail
-from param_tutorial.views.drawing.worlds import World, draw_worlds
 
 # Names and values are text, whatever is in them.
 EVIL = '<b>"&'
@@ -114,9 +113,7 @@ DIAGRAMS = {
         Moment('speed', 'an override', dict(zip(_DECLARED, ('150', '100', '150'), strict=True)),
                (Move('from outside', 'the node has'),)),
         Moment('sped', 'an override, never declared', {'from outside': '90'},
-               (Move('from outside', 'the node has', '90', 'ignored'),))]),
-    'worlds': draw_worlds('speed', [World('ROS 1', {'/robot': '900'}, '/robot', '900', server='master'),
-                                    World('ROS 2', {'/robot': '150', '/robot2': '900'}, '/robot2', '100')])}
+               (Move('from outside', 'the node has', '90', 'ignored'),))])}
 
 
 def _robot(settings: Settings, motion: Motion, **others) -> Robot:

@@ -39,14 +39,14 @@ def test_a_picture_of_what_was_measured_outlives_the_stage(weather, make):
     assert 'closed' in repr(view)
 
 
-def test_what_is_added_is_played_and_a_closed_view_draws_no_more():
-    view = views.WorldsView('speed')
-    assert 'Play again' not in texts(view) and view.node == 'speed'
-    view.add('ROS 2', {'/a': 9}, killed='/a', successor=1)
+def test_what_is_added_is_played_and_a_closed_view_draws_no_more(weather):
+    view = views.CallsView()
+    assert 'Play again' not in texts(view)
+    view.call(weather, 'get_parameters', ['low_c'])
     played = texts(view)
-    assert '@keyframes' in played and repr(view) == '<WorldsView: ROS 2: the new /a has 1.>'
+    assert '@keyframes' in played and repr(view) == '<CallsView: /weather answers get_parameters.>'
     view.close()
-    view.add('ROS 3', {'/a': 9}, killed='/a', successor=1)
+    view.call(weather, 'get_parameters', ['high_c'])
     assert view._drawn.value in played
 
 
