@@ -6,11 +6,11 @@ SOLVED = 'What you save is what you get back, and you know which programs to dis
 
 RECALLS = (
     Recall('7.1-r1', 'A double has an `integer_range` from 0 to 10. Someone sets it to 50.0. What does the node do?', (
+        right('It accepts the value', 'rclpy ignores a range of the wrong kind.'),
         wrong('It rejects the value', 'rclpy ignores a range of the wrong kind. A double needs a '
               '`floating_point_range`.'),
-        right('It accepts the value', 'rclpy ignores a range of the wrong kind.'),
-        wrong('It has never started: the descriptor is wrong', 'rclpy does not compare the kind of a range with the '
-              'type. It ignores this range without a word.')),
+        wrong('It has never started', 'rclpy does not compare the kind of a range with the type. It ignores this range '
+              'without a word.')),
            chapter='6.1', section='Break it: a range that nobody looks at'),
     Recall('7.1-r2', 'The parameter `label` is a string. What do you type after `ros2 param set /gripper label` to set '
            'it to the string 42?', (
@@ -31,46 +31,47 @@ PREDICTIONS = (
         otherwise='It sets seven. The node rejects the two read-only ones, although they already have that value.'),
     Prediction('7.1-2', 'The file says `robot_name: 1e5`, without quotes. What happens to a robot that starts with '
                'it?', (
-        wrong('Its name is 1e5, as it was saved', 'That is what the writer meant. But rcl reads the file by its own '
-              'rules, and to rcl `1e5` is a number.'),
+        wrong('Its name is 1e5', 'That is what the writer meant. But rcl reads the file by its own rules, and to rcl '
+              '`1e5` is a number.'),
         wrong('Its name is 100000.0', 'rcl does read that number. But the node declares a string, and ROS converts '
               'nothing.'),
         right('It does not start', 'rcl reads a double, the node declares a string, and the constructor ends with an '
               'exception.'))),
     Prediction('7.1-3', '`ros2 param dump` writes four strings, and rcl reads them at a start. Which one comes back as '
                'something else?', (
+        right('inf', 'To the command it is an ordinary string, so it gets no quotes. To rcl it is a double, infinity.'),
         wrong('on', 'The command puts quotes around it, because by its own rules `on` means true. So it comes back.'),
-        right('y', 'To the command it is an ordinary string, so it gets no quotes. To rcl it means true.'),
         wrong('1.0', 'The command puts quotes around it, because it looks like a double. So it comes back.'),
         wrong('12:30', 'The command puts quotes around it, because without them it would be 750. So it comes back.'))),
     Prediction('7.1-4', "The file says `version: '1.0'`, in quotes, and the node declares a string. What does "
                '`ros2 param load` do with that line?', (
-        wrong("It sets the string '1.0'", 'The first reading removes the quotes. Then `load` guesses the type again, '
+        wrong('It asks for the string 1.0', 'The first reading removes the quotes. Then `load` guesses the type again, '
               'and gets a double.'),
-        right('It tries to set a double, and the node rejects that', '`load` reads the file, turns each value into '
-              "text, and guesses again. Quotes don't survive that."))),
+        right('It asks for the double 1.0', '`load` reads the file, turns each value into text, and guesses again. '
+              "Quotes don't survive that, and the node rejects the double."))),
     Prediction('7.1-5', "The file says `waypoints: []`, and the default is ['dock']. What does the node get when it "
                'reads `waypoints`?', (
-        wrong('[]', "An empty array in a file has no type, so it isn't a value either."),
-        wrong("['dock']", 'The file takes the default away, and puts nothing in its place.'),
-        right('an exception: there is no value', 'The empty array takes the default away and puts nothing in its '
-              'place.'))),
-    Prediction('7.1-6', 'Since last night `saved.yaml` holds a name, a speed and a calibration. Now the calibration '
-               'is not set, and the script runs `ros2 param dump /uncalibrated > saved.yaml` again. Which values are '
+        wrong('an empty list', "An empty array in a file has no type, so it isn't a value either."),
+        right('an exception', 'The empty array takes the default away and puts nothing in its place.'),
+        wrong("['dock']", 'The file takes the default away, and puts nothing in its place.'))),
+    Prediction('7.1-6', 'Since last night `saved.yaml` holds a name, a speed and a calibration. Now the calibration is '
+               'not set, and the script runs `ros2 param dump /uncalibrated > saved.yaml` again. How many values are '
                'in the file then?', (
-        wrong("last night's: a dump that fails writes nothing", 'The dump does not fail: its exit status is 0. It '
-              'writes a file without values over the one that had them.'),
-        wrong('a name and a speed', 'A node that is asked for several values answers with nothing at all if one of '
-              'them is unset.'),
-        wrong('all three, the last as null', 'There is no null in a parameter file. Because of this one parameter, the '
-              'node answers with nothing at all.'),
-        right('none', 'One parameter without a value, and the dump is empty. The exit status is 0, and nobody notices '
-              "until last night's values are needed."))),
+        right('0', 'One parameter without a value, and the dump is empty. The exit status is 0, and nobody notices '
+              "until last night's values are needed."),
+        wrong('3', "Last night's are gone: the dump does not fail, and writes an empty file over them. And there is no "
+              'null for the value that is not set.'),
+        wrong('2', 'None. A node that is asked for several values answers with nothing at all if one of them is '
+              'unset.')),
+        otherwise='None. One parameter without a value, and the dump is empty. Its exit status is 0 all the same.'),
     Prediction('7.1-7', 'Names, numbers and booleans, and none of the strings that caused trouble: how many of the '
                'nine parameters differ between the two robots?', (
-        right('none', 'A dump keeps ordinary values, also the read-only serial number: the second robot starts with '
-              'the file. The traps of this chapter are exceptions. Test for them, and trust the rest.'),
-        wrong('one: the read-only serial number', 'A read-only parameter cannot be set in a running robot. This '
-              'robot starts with the file, and an override counts.'),
-        wrong('some of the doubles', 'The client writes each double so that rcl reads the same double again.'))),
+        right('0', 'A dump keeps ordinary values, also the read-only serial number: the second robot starts with the '
+              'file. The traps of this chapter are exceptions. Test for them, and trust the rest.'),
+        wrong('1', 'None. A read-only parameter cannot be set in a running robot. This robot starts with the file, and '
+              'an override counts.'),
+        wrong('2', 'None. Two are read-only, and cannot be set in a running robot. This robot starts with the file, '
+              'and an override counts.')),
+        otherwise='None. The robot starts with the file, so even its read-only parameters arrive. And the client '
+                  'writes each double so that rcl reads the same double again.'),
 )

@@ -6,16 +6,15 @@ SOLVED = 'Your robot starts with its own values every time, and if it did not, y
 
 RECALLS = (
     Recall('7.2-r1', 'In a parameter file, what is between the name of the node and its parameters?', (
-        wrong('parameters:', 'That is the word in a launch file. In a parameter file it is `ros__parameters:`.'),
         right('ros__parameters:', 'With two underscores, on a level of its own.'),
-        wrong('nothing: they follow on the next level', 'rcl rejects such a file. There has to be a level '
-              '`ros__parameters:` in between.')),
+        wrong('parameters:', 'That is the word in a launch file. In a parameter file it is `ros__parameters:`.'),
+        wrong('nothing at all', 'rcl rejects such a file. There has to be a level `ros__parameters:` in between.')),
            chapter='7.1', section='The format'),
     Recall('7.2-r2', 'A node declares `max_speed_rpm` with the default 100, and you start it with '
            '`-p max_speed_rpm:=120`. What does it read in its constructor, right after the declaration?', (
-        wrong('100: the override comes later', 'The override replaces the default while the parameter is being '
-              'declared. There is no later.'),
-        right('120', 'The override replaces the default in the declaration itself.')),
+        right('120', 'The override replaces the default in the declaration itself.'),
+        wrong('100', 'The override replaces the default while the parameter is being declared. There is no later.')),
+           otherwise='It reads 120. The override replaces the default in the declaration itself.',
            chapter='4', section='Which value does a node start with?'),
 )
 
@@ -30,11 +29,11 @@ PREDICTIONS = (
               'later one wins.'))),
     Prediction('7.2-2', 'You give the launch `robot_name:=42`, and the launch file says '
                '`ParameterValue(…, value_type=str)`. What is the name of the robot?', (
-        wrong('The integer 42, so the node does not start', 'That would happen without `ParameterValue`. '
+        right('It is the string 42', '`value_type=str` does what it says, and keeps 42 a string.'),
+        wrong('It is the integer 42', 'That would happen without `ParameterValue`, and the node would not start. '
               '`value_type=str` keeps 42 a string.'),
-        right('The string 42', '`value_type=str` does what it says, and keeps 42 a string.'),
-        wrong('Clawbot: a number is no name, so the default stays', 'A launch passes on what you gave it, here as a '
-              'string. It does not fall back to the default.'))),
+        wrong('It is still Clawbot', 'A launch passes on what you gave it, here as a string. It does not fall back to '
+              'the default.'))),
     Prediction('7.2-3', '`SetParameter` gives 50 rpm. Anna comes before it, Berta after it, and the third robot, after '
                'both, also has the file with 180 rpm. How many of the three start with 50?', (
         right('1', 'Only Berta. Anna comes too early, and the file hides the value for the third robot.'),
@@ -46,24 +45,23 @@ PREDICTIONS = (
         otherwise='One: Berta. Anna comes too early, and the file hides the value for the third robot.'),
     Prediction('7.2-4', 'The folder `launch/` is in the package in `src`, the `setup.py` does not mention it, and the '
                'build has succeeded. What does `ros2 launch` do?', (
-        wrong('It starts the robot', '`ros2 launch` looks only in the install space, and nothing has installed the '
-              'file there.'),
-        right('It says that the file was not found', 'Nothing has installed it. A build installs only what `setup.py` '
-              'lists.'),
-        wrong('It starts the robot, without its parameters', 'Without the launch file it can start nothing, and that '
-              'file is not in the install space.'))),
+        wrong('It starts the robot with its file', '`ros2 launch` looks only in the install space, and nothing has '
+              'installed the file there.'),
+        wrong('It starts the robot with defaults', 'Without the launch file it can start nothing, and that file is not '
+              'in the install space.'),
+        right('It does not find the launch file', 'Nothing has installed it. A build installs only what `setup.py` '
+              'lists.'))),
     Prediction('7.2-5', 'The launch file is installed now, but the parameter file that it names is not. Does the robot '
                'start?', (
-        wrong('No: a file is missing', 'To a launch, a missing parameter file is a warning, not an error.'),
         right('Yes, with its defaults', 'A missing parameter file is a warning, one line above the others. The robot '
               'drives with its defaults.'),
-        wrong('Yes, with the values of the file in src', 'Nothing looks in `src`. The file is not in the install '
-              'space, so nobody reads its values.'))),
+        wrong('No, the launch fails', 'To a launch, a missing parameter file is a warning, not an error.'),
+        wrong('Yes, with the file in src', 'Nothing looks in `src`. The file is not in the install space, so nobody '
+              'reads its values.'))),
     Prediction('7.2-6', 'The key at the top of the file is `/simple_param_node`, and below it the robot is named '
                'AlphaClaw. A node called `other_robot` starts with the file. What is its `robot_name`?', (
-        wrong('AlphaClaw: it was given the file', 'A file is for the node that it names. It holds nothing for this '
-              'one.'),
-        right('Clawbot: it ignores the file', 'The file is for another node, so this one ignores it without a word.'),
-        wrong('There is none: the node does not start', 'There is no error, and not even a warning: the node ignores '
-              'values for another node.'))),
+        wrong('AlphaClaw, from the file', 'A file is for the node that it names. It holds nothing for this one.'),
+        wrong('none, it does not start', 'There is no error, and not even a warning: the node ignores values for '
+              'another node.'),
+        right('Clawbot, from the program', 'The file is for another node, so this one ignores it without a word.'))),
 )

@@ -14,9 +14,9 @@ RECALLS = (
            chapter='7.3', section='Which nodes does a file reach?'),
     Recall('10.3-r2', 'Two values are valid only together: the node would reject the old value of one with the new '
            'value of the other. How do you change them?', (
-        wrong('with `set_parameters`, in the right order', 'If the node rejects each new value beside the old one, no '
+        wrong('with `set_parameters` in the right order', 'If the node rejects each new value beside the old one, no '
               'order helps.'),
-        right('with `set_parameters_atomically`', 'The node judges both values together, and stores both or '
+        right('with `set_parameters_atomically` at once', 'The node judges both values together, and stores both or '
               'neither.')),
            chapter='5.3', section='Change it: all or nothing'),
 )
@@ -24,25 +24,22 @@ RECALLS = (
 PREDICTIONS = (
     Prediction('10.3-1', 'A file gives a gain for `weel_joint`, and the joint is called `wheel_joint`. What happens '
                'when the controller starts?', (
-        wrong('It does not start: there is no such joint', 'The gain is an override without a declaration. That is '
-              'no error.'),
-        wrong('It gets the gain: the file is for this controller', 'The file reaches it, but the node declares no '
-              'parameter of that name.'),
-        right('It starts with its former gain, and reports nothing', 'The gain is an override without a declaration, '
-              'so the node ignores it silently.'))),
+        wrong('It stops with an exception', 'The gain is an override without a declaration. That is no error.'),
+        wrong('It starts with the new gain', 'The file reaches it, but the node declares no parameter of that name.'),
+        right('It starts with the old gain', 'The gain is an override without a declaration, so the node ignores it '
+              'silently.'))),
     Prediction('10.3-2', 'The torque is `p` times the error, and nothing else. Which gain brings the wheel to 10 '
                'rad/s?', (
-        wrong('both, the larger one sooner', 'Without an error there is no torque, and without torque the wheel slows '
-              'down. It stays below 10.'),
-        wrong('only 0.4', 'It comes closer. But without an error there is no torque, and the friction needs some.'),
-        right('neither', 'Without an error there is no torque, and the friction needs some. More `p` makes the error '
-              'smaller, never zero.'))),
+        wrong('both of them', 'Without an error there is no torque, and without torque the wheel slows down. It stays '
+              'below 10.'),
+        wrong('only p = 0.4', 'It comes closer. But without an error there is no torque, and the friction needs some.'),
+        right('neither of them', 'Without an error there is no torque, and the friction needs some. More `p` makes the '
+              'error smaller, never zero.'))),
     Prediction('10.3-3', 'The callback rejects whatever is below zero. What does it do with `nan`, which is not a '
                'number?', (
-        wrong('It rejects it: nan is not a valid gain', 'The rule asks whether it is below zero, and `nan` is not '
-              'below anything.'),
-        wrong('It never sees it: the type is wrong', '`nan` is a double like any other, so the type is right.'),
-        right('It accepts it', '`nan` is neither less nor greater than anything, so it is not below zero.'))),
+        wrong('It rejects nan as invalid', 'The rule asks whether it is below zero, and `nan` is not below anything.'),
+        right('It accepts nan as a gain', '`nan` is neither less nor greater than anything, so it is not below zero.'),
+        wrong('It never gets to see nan', '`nan` is a double like any other, so the type is right.'))),
     Prediction('10.3-4', '`u_clamp_min` is -2.0, and a client sets `u_clamp_max` to -3.0. What will the client hear, '
                'and what will the wheel do?', (
         right('accepted, and the wheel turns as before', 'The node stores -3.0 and goes on with the old clamps: '
@@ -68,8 +65,7 @@ PREDICTIONS = (
                'which gains does the controller start?', (
         right('those of the tuned file', 'What you put last counts here: its block was opened after the one in the '
               "robot's own file."),
-        wrong("those of the robot's own file", 'They were there first. The block of the tuned file was opened later, '
-              'and wins.'),
-        wrong('none: it does not start, since two files contradict each other', 'That is no contradiction to rcl. The '
-              'block that was opened later wins.'))),
+        wrong('those of the first file', 'They were there first. The block of the tuned file was opened later, and '
+              'wins.'),
+        wrong('none, it does not start', 'That is no contradiction to rcl. The block that was opened later wins.'))),
 )
