@@ -8,7 +8,8 @@ from param_tutorial.learner.progress import VARIABLE, ProgressFile
 from param_tutorial.teacher import command
 from tests.support.answers import blank, solution
 
-RIGHT, WRONG = 'In the wall', 'Closer to the wall: it brakes later'
+RIGHT, WRONG = (next(each.text for each in PREDICTIONS['1-1'].choices if each.is_right is is_right)
+                for is_right in (True, False))
 
 
 @pytest.fixture

@@ -9,11 +9,12 @@ RECALLS = ()
 PREDICTIONS = (
     Prediction('1-1', 'The acceleration and the speed are the same as before, and the safety mode is off. Where does '
                'the robot stop?', (
-        wrong('Closer to the wall: it brakes later', 'The safety mode does the braking. Without it the robot does not '
-              'brake at all, neither early nor late.'),
-        wrong('Where it stopped before: the log would warn first', 'Only the safety mode looks at the wall. The node '
-              'accepted the change, so the change counts.'),
-        right('In the wall', 'The safety mode does the braking. Without it the robot meets the wall at full speed.'))),
+        wrong('closer to the wall', 'The safety mode does the braking. Without it the robot does not brake at all, '
+              'neither early nor late.'),
+        wrong('where it did before', 'Only the safety mode looks at the wall. The node accepted the change, so the '
+              'change counts.'),
+        right('in the wall itself', 'The safety mode does the braking. Without it the robot meets the wall at full '
+              'speed.'))),
     Prediction('1-2', 'After one second of its drive, the robot gets 0.2 m/s² instead of 0.5 m/s². What does its speed '
                'do?', (
         wrong('It falls back to what 0.2 m/s² would have given by now', 'A change does not rewrite the past. The '
@@ -40,9 +41,10 @@ PREDICTIONS = (
         otherwise='It is 60. The node accepts the change, and drives on with the copy that it made when it started.'),
     Prediction('1-5', 'Only the first robot was set to 200 rpm. Both come from the same class, and both have a '
                'parameter `max_speed_rpm`. What is its value in the second?', (
-        wrong('200: it is the same parameter', 'A parameter does not belong to a class, nor to the whole system. Each '
-              'node has its own.'),
-        right('100', 'Nobody touched the second robot, so nothing changed in it. A parameter belongs to one node.'),
-        wrong('It has none, since nobody has set it', 'Each node declares its own parameters, with a default. The '
-              'second robot still has that default.'))),
+        wrong('200, as the first one', 'A parameter does not belong to a class, nor to the whole system. Each node has '
+              'its own.'),
+        right('100, as it was before', 'Nobody touched the second robot, so nothing changed in it. A parameter belongs '
+              'to one node.'),
+        wrong('none, and no default', 'Each node declares its own parameters, with a default. The second robot still '
+              'has that default.'))),
 )
