@@ -80,6 +80,33 @@ def test_each_question_has_one_right_answer_and_a_sentence_for_each():
         assert all(each.sentence.endswith(('.', '?')) for each in question.choices), question.number
 
 
+def test_no_option_carries_a_reason():
+    reason = re.compile(r': | because |, (?:since|so) ')
+    assert not [f'{each.number}: {choice.text}' for each in (*PREDICTIONS.values(), *RECALLS.values())
+                for choice in each.choices if reason.search(choice.text)]
+
+
+# What a reader can pick by without thinking: the option in which this is the smallest, given its place and its text.
+LOOKS = {
+    'the shortest': lambda _, text: len(text), 'the longest': lambda _, text: -len(text),
+    'the one without a comma': lambda _, text: ',' in text, 'the first': lambda place, _: place,
+    'the second': lambda place, _: place != 1, 'the last': lambda place, _: -place}
+
+
+@pytest.mark.parametrize('look', LOOKS)
+def test_the_look_of_an_option_wins_at_most_ten_points_more_than_chance(look):
+    gains, leads = [], {}
+    for question in (each for each in (*PREDICTIONS.values(), *RECALLS.values()) if not each.is_typed):
+        by_look = [LOOKS[look](place, each.text) for place, each in enumerate(question.choices)]
+        right, = (key for key, each in zip(by_look, question.choices, strict=True) if each.is_right)
+        gains.append((right == min(by_look)) / by_look.count(right) - 1 / len(by_look))
+        if gains[-1] > 0:
+            leads[question.number] = min(key for key in by_look if key > right) - right
+    points = 100 * sum(gains) / len(gains)
+    plainest = sorted(leads, key=leads.get, reverse=True)[:12]
+    assert points <= 10, f'{look} wins {points:.0f} points more than chance, most plainly in {", ".join(plainest)}'
+
+
 def test_a_prediction_is_asked_for_in_the_words_of_the_check():
     for number in ('4c', '5.1c', '6.2a', '7.1c', '7.2c', '7.3b'):
         assert [f'`{question}`' for question in blank(number)] == [
