@@ -12,7 +12,6 @@ from param_tutorial.views.drawing.lifts import draw_lifts
 from param_tutorial.views.drawing.messages import Listener, draw_messages
 from param_tutorial.views.drawing.number_line import Attempt, Scale, draw_number_line
 from param_tutorial.views.drawing.plane import Way, draw_plane
-from param_tutorial.views.drawing.requests import SentValue, Side, draw_requests
 from param_tutorial.views.drawing.robot import Robot
 from param_tutorial.views.drawing.timeline import Step, Timeline
 from param_tutorial.views.drawing.trail import Moment, Move, draw_trail
@@ -54,24 +53,6 @@ _PAIRS = {(low, high): low < high for low in range(-10, 71, 10) for high in rang
 _WAYS = [Way('one by one', (50, 60), [('high_c = 10', (50, 10), (50, 60)), ('low_c = 0', (0, 60), (0, 60))]),
          Way('atomically', (50, 60), [('high_c = 10, low_c = 0', (0, 10), (0, 10))])]
 
-_LIST = "[1, 'two', 3.0]"
-_WORLDS = [
-    Side('ROS 1', '/robot', {'gain': '0.5'}, [SentValue('gain', each, each) for each in ('1', "'high'", _LIST)],
-         server='master', note=f'2 * gain = {_LIST}'),
-    Side('ROS 2', '/robot', {'gain': '0.5'}, [
-        *(SentValue('gain', each, '0.5', 'wrong type') for each in ('1', "'high'")),
-        SentValue('gain', _LIST, '0.5', 'no type for it')], note='2 * gain = 1.0')]
-_HAS = {'fan': '3', 'low_c': '-30', 'high_c': '-10', 'mode': "'winter'"}
-_WAYS_BACK = [
-    Side('all, one by one', '/weather', _HAS, [
-        SentValue('mode', "'summer'", "'summer'"), SentValue('fan', '3', '3'),
-        SentValue('low_c', '-5', '-30', 'rejected by the node'), SentValue('high_c', '40', '40')],
-         note='still different: low_c'),
-    # Its rows are not in the order in which they are sent.
-    Side('what differs, as one', '/weather', _HAS, [
-        SentValue('low_c', '-5', '-5'), SentValue('high_c', '40', '40'), SentValue('mode', "'summer'", "'summer'")],
-         is_one=True)]
-
 _COPIED = (Move('/a variable', '/a used'), Move('/b parameter', '/b used'))
 _COPIES = ['/a parameter', '/a variable', '/a used', '/b parameter', '/b used']
 _DECLARED = ['from outside', 'declare_parameter', 'the node has']
@@ -101,8 +82,6 @@ DIAGRAMS = {
     'number_line_locked': draw_number_line('/gripper', 'serial', Scale.around(7), 7, is_locked=True, request=Attempt(
         None, "'x'", 'serial is read-only')),
     'plane': draw_plane(('low_c', 'high_c'), _PAIRS, _WAYS),
-    'requests_worlds': draw_requests('gain', _WORLDS),
-    'requests_ways': draw_requests('the way back', _WAYS_BACK),
     'trail_copies': draw_trail('speed', _COPIES, [
         Moment('so far', '', dict.fromkeys(_COPIES, '100'), _COPIED),
         Moment('set to 150', 'the copy is stale', dict(zip(_COPIES, ('150', '100', '100', '150', '150'), strict=True)),

@@ -9,7 +9,7 @@ from rclpy.parameter import Parameter
 from rclpy.qos import DurabilityPolicy, QoSProfile
 
 import param_tutorial
-from param_tools.errors import InvalidValueError, NodeNotFoundError
+from param_tools.errors import NodeNotFoundError
 from param_tutorial import ParameterClient, views, wait_until
 from param_tutorial.nodes.param_event_monitor import ParamEventMonitor
 from tests.support.widgets import texts
@@ -219,43 +219,3 @@ def test_a_late_declaration_is_not_the_message(robot):
 def test_a_rejected_value_sends_no_message(robot):
     view = views.MessageView(robot, 'speed', -5)
     assert 'Nothing has changed yet' in view.text and 'rejected' in repr(view)
-
-
-# -- requests ------------------------------------------------------------------------------------------------
-
-def test_requests_are_put_into_another_order_and_sent_again_from_the_same_beginning(weather):
-    client = ParameterClient(weather)
-    has, wanted = {'low_c': -30, 'high_c': -10}, {'low_c': -5, 'high_c': 40}
-    view = views.RequestsView('back')
-    for title, as_one in (('one by one', False), ('as one', True)):
-        client.set_parameters_atomically(has)
-        view.send(title, client, wanted, atomically=as_one)
-        view.conclude(lambda: f'low_c is {client.get_parameter("low_c")}')
-    assert repr(view) == '<RequestsView: one by one: 1 of 2 accepted; as one: 2 of 2 accepted.>'
-    assert 'low_c = -5 is rejected (rejected by the node), and /weather keeps -30' in view.text
-    assert 'low_c is -30. as one, one request: low_c = -5 is accepted' in view.text
-    below = choose(view, ['high_c', 'low_c'])
-    assert repr(view) == '<RequestsView: one by one: 2 of 2 accepted; as one: 2 of 2 accepted.>'
-    assert 'one by one, high_c = 40 is accepted' in view.text and 'low_c is -5. as one' in view.text
-    assert (below.items, below.outcome) == (['high_c', 'low_c'], view.text) and client.get_parameter('low_c') == -5
-
-
-def test_what_fits_no_message_or_no_parameter_is_shown_as_rejected_beside_a_world_that_takes_everything(weather):
-    view, tried = views.RequestsView('high_c'), [('high_c', [1, 'two']), ('high_c', 'hot'), ('hihg_c', 1)]
-    view.send('ROS 2', '/weather', tried)
-    view.add_lenient('ROS 1', '/weather', {'high_c': 40}, tried[:2], server='master')
-    assert "high_c = [1, 'two'] is rejected (no type for it), and /weather keeps 40" in view.text
-    assert "high_c = 'hot' is rejected (wrong type), and /weather keeps 40" in view.text
-    assert 'hihg_c = 1 is rejected (undeclared), and /weather keeps nothing' in view.text
-    assert "high_c = 'hot' is accepted, and master keeps 'hot'; /weather gets 'hot' from master." in view.text
-    with pytest.raises(InvalidValueError):
-        view.send('as one', weather, {'high_c': [1, 'two']}, atomically=True)
-
-
-def test_nothing_is_put_into_order_where_a_side_has_sent_nothing_or_a_name_twice(weather):
-    view, twice = views.RequestsView('high_c'), views.RequestsView('high_c')
-    view.send('ROS 2', weather, {'high_c': 20, 'low_c': 1})
-    assert view.children[-1].items == ['high_c', 'low_c']
-    view.add_lenient('ROS 1', '/weather', {'high_c': 40}, [('high_c', 'hot')], server='master')
-    twice.send('ROS 2', weather, [('high_c', 20), ('low_c', 1), ('high_c', 2)])
-    assert view.children[-1].items == twice.children[-1].items == []

@@ -20,7 +20,6 @@ with lazy.Imports(__name__) as _imports:
     from param_tutorial.views.messages import MessageView as MessageView
     from param_tutorial.views.number_line import NumberLineView as NumberLineView
     from param_tutorial.views.plane import PlaneView as PlaneView
-    from param_tutorial.views.requests import RequestsView as RequestsView
     from param_tutorial.views.robot import RobotView as RobotView
     from param_tutorial.views.set_recorder import record_change as record_change
     from param_tutorial.views.side_by_side import SideBySide as SideBySide
