@@ -1,4 +1,4 @@
-"""What a reader drags, orders and chooses below a picture, with mouse and keyboard, and what real nodes say to it."""
+"""What a reader drags, types and chooses below a picture, with mouse and keyboard, and what real nodes say to it."""
 
 import re
 
@@ -19,7 +19,7 @@ from rclpy.qos import DurabilityPolicy, QoSProfile
 
 import param_tutorial
 from param_tutorial import ParameterClient
-from param_tutorial.views import LadderView, LayersView, MessageView, NumberLineView
+from param_tutorial.views import LadderView, MessageView, NumberLineView
 
 
 class Robot(Node):
@@ -43,19 +43,14 @@ class Hopeful(Node):
         self.ears = self.create_subscription(ParameterEvent, '/parameter_events', print, profile)
 
 
-def start(*options):
-    words = [word for option in options for word in ('-p', option)]
-    return ros.add(Robot, ros_args=words).get_parameter('speed').value
-
-
 ros = param_tutorial.start()
+ros.add(Robot)
 ros.add(Hopeful)
-LayersView('speed', [('default', 100), ('speed:=400', '/**', 400), ('robot:speed:=500', 'robot', 500)], start=start)""",
-    "NumberLineView('/robot', 'opening')",
+NumberLineView('/robot', 'opening')""",
     "MessageView('/robot', 'speed', 5)",
     "LadderView('/robot', 'speed', 7)",
 )
-LAYERS, LINE, MESSAGES, LADDER = range(len(CELLS))
+LINE, MESSAGES, LADDER = range(len(CELLS))
 
 
 @pytest.fixture(scope='module')
@@ -82,22 +77,6 @@ def drag(page, what, to_x, held=0):
     page.page.mouse.move((x + to_x) / 2, y)
     page.page.mouse.move(to_x, y)
     page.page.mouse.up()
-
-
-def test_sources_are_dragged_into_another_order_or_moved_by_the_keyboard(opened):
-    lab, page = opened
-    items = view(page, LAYERS).locator('li')
-    expect(items).to_have_text(['‹speed:=400›', '‹robot:speed:=500›'])
-    items.first.scroll_into_view_if_needed()
-    last = items.last.bounding_box()
-    drag(page, items.first.locator('span'), last['x'] + last['width'] - 5)
-    expect(outcome(page, LAYERS)).to_contain_text('speed = 400, from speed:=400.')
-    assert lab.ask_kernel("ParameterClient('/robot').get_parameter('speed')") == '400'
-    page.page.get_by_role('button', name='Move speed:=400 earlier').press('Enter')
-    expect(outcome(page, LAYERS)).to_contain_text('speed = 500, from robot:speed:=500.')
-    expect(items).to_have_text(['‹speed:=400›', '‹robot:speed:=500›'])
-    # At the end of its way, what was moved still has the keyboard.
-    expect(page.page.get_by_role('button', name='Move speed:=400 later')).to_be_focused()
 
 
 def test_the_marker_of_a_number_line_is_dragged_also_to_where_no_value_is_allowed(opened):

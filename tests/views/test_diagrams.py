@@ -144,30 +144,6 @@ def test_a_value_climbs_down_the_ladder_or_returns_from_it_and_another_is_typed(
         views.LadderView('nobody', 'speed', 1)
 
 
-# -- layers --------------------------------------------------------------------------------------------------
-
-def test_sources_are_put_into_another_order_and_a_node_is_started_with_them(ros):
-    class Robot(Node):
-        def __init__(self, **options):
-            super().__init__('robot', **options)
-            self.declare_parameter('speed', 100)
-
-    def start(*options):
-        words = [word for option in options for word in ('-p', option)]
-        return ros.add(Robot, ros_args=words).get_parameter('speed').value
-
-    view = views.LayersView('speed', [
-        ('default', 100), ('speed:=400', '/**', 400), ('robot:speed:=500', 'robot', 500)], start=start)
-    assert 'speed = 500, from robot:speed:=500' in view.text
-    below = choose(view, ['robot:speed:=500', 'speed:=400'])
-    assert ParameterClient('/robot').get_parameter('speed') == 400
-    assert below.outcome == view.text and view.text.endswith('speed = 400, from speed:=400.')
-    param_tutorial.stop()
-    choose(view, ['speed:=400', 'robot:speed:=500'])
-    assert 'start()' in below.problem and below.items == ['robot:speed:=500', 'speed:=400'] and below.answered == 2
-    assert len(views.LayersView('speed', [('default', 100), ('file', 2)]).children) == len(view.children) - 1
-
-
 # -- messages ------------------------------------------------------------------------------------------------
 
 class Ears(Node):

@@ -60,19 +60,6 @@ class Asking(Handle):
         return super()._answer(values.parse(chosen))
 
 
-class Ordering(Handle):
-    """A line of things to put in order; hidden unless there are two. What is chosen are all items, in order."""
-
-    _esm = bundle('param_tutorial/views/ordering.js')
-    items = traitlets.List(traitlets.Unicode()).tag(sync=True)
-    """The names of the things, each once, in the order in which the node was asked last."""
-
-    def _answer(self, chosen: list[str]) -> str:
-        outcome = super()._answer(chosen)
-        self.items = chosen
-        return outcome
-
-
 class Choosing(Handle):
     """A line for each of several things. A choice is a thing, one of its properties, and that property's new value."""
 

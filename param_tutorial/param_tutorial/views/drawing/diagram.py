@@ -81,14 +81,14 @@ class Diagram:
     It is as wide as it has to be for its letters; a narrow page scrolls it.
     """
 
-    def __init__(self, subject: str, sentence: str, text: str, height: float, *, width: float = WIDTH) -> None:
+    def __init__(self, subject: str, sentence: str, text: str, height: float) -> None:
         """
         :param subject: The node or the thing that the picture is of.
         :param sentence: What the picture shows, in short.
         :param text: The whole picture in words, as a screen reader tells it.
         """
         self.subject, self.sentence, self.text = subject, sentence, text
-        self.width, self.height = width, height
+        self.height = height
         self._parts: list[Part] = []
 
     def add(self, *parts: Part) -> None:
@@ -134,7 +134,7 @@ class Diagram:
         moves = f'<style>{"".join(animation.keyframes)}</style>{again}' if animation.keyframes else ''
         return (f'<div class="motion">{moves}{head(self.subject, self.sentence, sentence_style)}'
                 f'<div class="motion-scene" role="img" aria-label="{html.escape(self.text)}">'
-                f'<svg viewBox="0 0 {self.width} {round(self.height)}" aria-hidden="true">{scene}</svg></div></div>')
+                f'<svg viewBox="0 0 {WIDTH} {round(self.height)}" aria-hidden="true">{scene}</svg></div></div>')
 
 
 class _Animation:

@@ -26,7 +26,7 @@ class _Entry:
         return self.source if says_both else f'{self.source}{between}{self.value}'
 
 
-def draw_layers(name: str, sources: Iterable[tuple[str, Any] | tuple[str, str, Any]], *, has: Any = ...) -> Diagram:
+def draw_layers(name: str, sources: Iterable[tuple[str, Any] | tuple[str, str, Any]], *, has: Any) -> Diagram:
     """Draw the sources of one parameter's value; at rest all layers lie on each other.
 
     LayersView explains the arguments.
@@ -36,7 +36,7 @@ def draw_layers(name: str, sources: Iterable[tuple[str, Any] | tuple[str, str, A
         entry = _Entry(str(source), repr(value), _BEGIN_SEC + number * _EACH_SEC)
         layers.setdefault(into[0] if into else entry.source, []).append(entry)
     top = list(layers.values())[-1][-1]
-    in_node = top.value if has is ... else repr(has)
+    in_node = repr(has)
     is_explained = in_node == top.value
     sentence = f'{name} = {in_node}, from {top.source}.' if is_explained else \
         f'The node has {name} = {in_node}, which these layers do not explain.'
