@@ -39,7 +39,6 @@ with lazy.Imports(__name__) as _imports:
     from param_tools.files import descriptions as descriptions
     from param_tools.files import parameter_files as parameter_files
     from param_tools.files.checking import check_files as check_files
-    from param_tools.node.aliases import Aliases as Aliases
     from param_tools.node.client import ParameterClient as ParameterClient
     from param_tools.node.declarations import check_declarations as check_declarations
     from param_tools.node.locks import locks as locks

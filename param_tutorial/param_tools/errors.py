@@ -10,7 +10,6 @@
     ├── ParameterFileError          a YAML file cannot be read or written faithfully (also ValueError)
     ├── RuleError                   a rule for parameters makes no sense, or cannot be judged (also ValueError)
     ├── DeclarationError            a node declares parameters in a way that contradicts itself (also ValueError)
-    ├── AliasError                  names of parameters cannot stand for one another (also ValueError)
     └── NodeError                   about one node; carries ``.node``
         ├── NodeNotFoundError       there is no node of that name                   (also LookupError)
         ├── NoServiceError          the node is there, without this parameter service
@@ -72,10 +71,6 @@ class RuleError(ParameterToolError, ValueError):
 
 class DeclarationError(ParameterToolError, ValueError):
     """A node declares parameters with descriptors that rclpy ignores in part; the message says which."""
-
-
-class AliasError(ParameterToolError, ValueError):
-    """A name of a parameter cannot stand for another, or two of one parameter were given two values."""
 
 
 class NodeError(ParameterToolError):

@@ -1,1 +1,1 @@
-"""The parameters of one node: a client, its live state, rules, locks, aliases. No Jupyter."""
+"""The parameters of one node: a client, its live state, rules, locks. No Jupyter."""

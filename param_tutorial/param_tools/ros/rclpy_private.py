@@ -121,14 +121,6 @@ def process_globals() -> list[tuple[Any, str, Any]]:
 
 # -- parameters -----------------------------------------------------------------------------------------------
 
-def pending_overrides(node: Node) -> dict[str, Parameter]:
-    """Return a node's own dictionary of overrides; a declaration looks its name up here.
-
-    rclcpp has get_parameter_overrides() for this, and rclpy has nothing.
-    """
-    return node._parameter_overrides
-
-
 def own_descriptor(node: Node, name: str) -> ParameterDescriptor:
     """Return the descriptor object that a node keeps for a parameter; what is written into it, the node describes.
 

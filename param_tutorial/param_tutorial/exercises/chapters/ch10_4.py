@@ -1,4 +1,4 @@
-"""Exercises of chapter 10.4: state rules, rename parameters, and both in one node."""
+"""Exercises of chapter 10.4: state rules, and rename a parameter."""
 
 import re
 import time
@@ -17,7 +17,6 @@ STATE = 'Build it: a rule in a dozen lines'
 KINDS = 'Change it: the rules of the package'
 ACROSS = 'Rules across parameters'
 MIRROR = 'Build it: a mirror'
-ALIASES = 'Change it: the aliases of the package'
 
 
 def expect_no_start(trial: Trial, requests: Sequence[Mapping[str, object]]) -> None:
@@ -110,38 +109,30 @@ def at_the_start(trial: Trial) -> None:
 # -- 10.4b ----------------------------------------------------------------------------------------------------
 
 rename = Exercise('10.4b', 'A new name', CHAPTER, NODE_CLASS, node_name='wagon', hints=(
-    'Declare the new names only. The old ones stand in one `Aliases`.',
-    '`Aliases(self, {...})` comes before the first declaration: it has to move the overrides to the new names.',
-    "`Aliases(self, {'width': 'width_mm', 'plate': 'plate_number'})`, and the declarations with the new names."))
+    'Declare both names. `Mirror` of the chapter shows how a start value goes from one to the other and back, and how '
+    'a change of one becomes a change of both.',
+    'The pre-set callback sees which name a request has used, so it is the one that can log a warning.',
+    'An on-set callback sees both names. It collects the values of all that are called `width` or `width_mm`, and '
+    'rejects the request if there are two different ones.'))
 
 
 @rename.require('what is set under one name can be read under the other', see=MIRROR)
 def both_ways(trial: Trial) -> None:
     wagon = trial.start()
-    expect_values(trial, wagon, {'width_mm': 800, 'width': 800, 'plate_number': 'none', 'plate': 'none'}, 'at first')
+    expect_values(trial, wagon, {'width_mm': 800, 'width': 800}, 'at first')
     for name, value in (('width', 700), ('width_mm', 900), ('width', 650)):
         expect_accepted(trial, wagon, {name: value})
         expect_values(trial, wagon, {'width_mm': value, 'width': value}, f'once `{name} = {value}` is set')
 
 
-@rename.require('start values reach both names, whichever name the file uses', see=ALIASES)
+@rename.require('a start value reaches both names, whichever name the file uses', see=MIRROR)
 def start_values(trial: Trial) -> None:
-    for width, plate in (('width', 'plate'), ('width_mm', 'plate_number'), ('width_mm', 'plate')):
-        wagon = trial.start(ros_args=['-p', f'{width}:=600', '-p', f'{plate}:=W-7'])
-        expect_values(trial, wagon, {'width_mm': 600, 'width': 600, 'plate_number': 'W-7', 'plate': 'W-7'},
-                      f'with the overrides `{width}:=600` and `{plate}:=W-7`')
+    for name in ('width', 'width_mm'):
+        wagon = trial.start(ros_args=['-p', f'{name}:=600'])
+        expect_values(trial, wagon, {'width_mm': 600, 'width': 600}, f'with the override `{name}:=600`')
 
 
-@rename.require('the plate is read-only under both names', see=ALIASES)
-def read_only(trial: Trial) -> None:
-    wagon = trial.start()
-    expect_values(trial, wagon, {'plate_number': 'none', 'plate': 'none'}, 'at first')
-    for name in ('plate_number', 'plate'):
-        result = trial.client(wagon).set_parameter(name, 'W-8')
-        expect(not result.successful, f'`{name}` is read-only', 'it could be set')
-
-
-@rename.require('two names with two values, in one request, are rejected', see=ALIASES)
+@rename.require('two names with two values, in one request, are rejected', see=MIRROR)
 def contradiction(trial: Trial) -> None:
     wagon = trial.start()
     expect_values(trial, wagon, {'width_mm': 800, 'width': 800}, 'at first')
@@ -150,13 +141,13 @@ def contradiction(trial: Trial) -> None:
         expect_values(trial, wagon, {'width_mm': 800, 'width': 800}, 'after the rejection')
 
 
-def warnings_of(trial: Trial, request: Mapping[str, object], *ros_args: str) -> list[str]:
+def warnings_of(trial: Trial, request: Mapping[str, object]) -> list[str]:
     """Start the learner's node, set something, and return what the node has logged as a warning."""
     began_ns = time.time_ns()
     lines: list[LogLine] = []
     stop_listening = trial.ros.node_log.on_line(lines.append)
     try:
-        wagon = trial.start(ros_args=ros_args)
+        wagon = trial.start()
         trial.client(wagon).set_parameters(request)
         mark = f'the check has read the log up to here ({began_ns})'
         wagon.get_logger().fatal(mark)  # it comes after all other lines of this node
@@ -166,71 +157,17 @@ def warnings_of(trial: Trial, request: Mapping[str, object], *ros_args: str) -> 
     return [line.text for line in lines if line.level in ('WARN', 'ERROR') and line.time_ns >= began_ns]
 
 
-@rename.require('the log warns of an old name that is used, and of no new one', see=ALIASES)
+@rename.require('the log warns of the old name when it is set, and not of the new one', see=MIRROR)
 def warns(trial: Trial) -> None:
-    expect_values(trial, trial.start(), {'width_mm': 800, 'width': 800, 'plate_number': 'none', 'plate': 'none'},
-                  'at first')
-    for width, plate, is_old in (('width', 'plate', True), ('width_mm', 'plate_number', False)):
-        for name, request, ros_args in ((width, {width: 700}, ()), (width, {}, ('-p', f'{width}:=600')),
-                                        (plate, {}, ('-p', f'{plate}:=W-7'))):
-            warnings = warnings_of(trial, request, *ros_args)
-            how = f'when `{name}` is set' if request else f'when an override sets `{name}`'
-            shown = f'it has `{shorten(" ".join(warnings), 200)}`' if warnings else 'there is none'
-            if is_old:
-                expect(any(re.search(rf'\b{name}\b', line) for line in warnings),
-                       f'a warning about `{name}`, {how}', shown)
-            else:
-                expect(not warnings, f'no warning, {how}', shown)
+    expect_values(trial, trial.start(), {'width_mm': 800, 'width': 800}, 'at first')
+    for name in ('width', 'width_mm'):
+        warnings = warnings_of(trial, {name: 700})
+        shown = f'it has `{shorten(" ".join(warnings), 200)}`' if warnings else 'there is none'
+        if name == 'width':
+            expect(any(re.search(r'\bwidth\b', line) for line in warnings),
+                   'a warning about `width`, when `width` is set', shown)
+        else:
+            expect(not warnings, 'no warning, when `width_mm` is set', shown)
 
 
-# -- 10.4c ----------------------------------------------------------------------------------------------------
-
-both = Exercise('10.4c', 'A new name under an old rule', CHAPTER, NODE_CLASS, node_name='conveyor', hints=(
-    'Three statements in one order: the old names, the declarations, the rule. Which of them has to come first?',
-    '`Aliases` comes before the first declaration, and `Rules` after the last. The rule needs the new names only: a '
-    'change under an old name is a change of the new one, too.',
-    "`Rules(self).check(['speed_mmps', 'limit_mmps'], lambda speed, limit: ..., 'a sentence')`."))
-
-
-def values_of(speed: int, limit: int) -> dict[str, int]:
-    """Return what a conveyor holds, under all names."""
-    return {'speed_mmps': speed, 'speed': speed, 'limit_mmps': limit, 'limit': limit}
-
-
-@both.require('both parameters answer to their old names and to their new ones', see=MIRROR)
-def both_names(trial: Trial) -> None:
-    conveyor = trial.start()
-    expect_values(trial, conveyor, values_of(100, 500), 'at first')
-    for asked, speed, limit in (({'speed': 150}, 150, 500), ({'limit': 450}, 150, 450),
-                                ({'speed_mmps': 200, 'limit': 400}, 200, 400), ({'limit_mmps': 300}, 200, 300)):
-        expect_accepted(trial, conveyor, asked)
-        expect_values(trial, conveyor, values_of(speed, limit), f'once `{asked}` is set')
-
-
-@both.require('a speed above the limit is rejected, under any of the names', see=ACROSS)
-def one_rule(trial: Trial) -> None:
-    conveyor = trial.start()
-    expect_values(trial, conveyor, values_of(100, 500), 'at first')
-    for bad in ({'speed_mmps': 501}, {'speed': 600}, {'limit_mmps': 99}, {'limit': 50},
-                {'speed': 300, 'limit': 200}, {'limit_mmps': 200, 'speed': 300}):
-        expect_rejected(trial, conveyor, bad)
-    expect_values(trial, conveyor, values_of(100, 500), 'after six rejections')
-    for good in ({'speed': 600, 'limit_mmps': 700}, {'limit': 650, 'speed_mmps': 640}, {'speed': 650},
-                 {'limit': 90, 'speed': 80}):
-        expect_accepted(trial, conveyor, good)
-
-
-# What it starts with, and the values that come of it.
-STARTS: tuple[tuple[Sequence[str], int, int], ...] = (
-    (['speed:=600', 'limit_mmps:=700'], 600, 700), (['limit:=300'], 100, 300), (['speed_mmps:=500'], 500, 500))
-
-
-@both.require('it starts with good values under any of the names, and not with bad ones', see=STATE)
-def its_start(trial: Trial) -> None:
-    for overrides, speed, limit in STARTS:
-        conveyor = trial.start(ros_args=[word for each in overrides for word in ('-p', each)])
-        expect_values(trial, conveyor, values_of(speed, limit), f'with `{" ".join(overrides)}`')
-    expect_no_start(trial, [{'speed': 600}, {'speed_mmps': 600}, {'limit': 50}, {'limit_mmps': 50}])
-
-
-EXERCISES = (rules, rename, both)
+EXERCISES = (rules, rename)

@@ -71,11 +71,4 @@ PREDICTIONS = (
         wrong('10', 'The callback makes each of the two a change of both names. The later one stays, and that is 20.'),
         wrong('120', 'Nobody looks for the contradiction, and a pre-set callback could not reject it.')),
         otherwise='It holds 20. The callback makes each of the two a change of both names, and the later one stays.'),
-    Prediction('10.4-8', 'The file says `speed: 150`, and `Aliases` knows `speed` as an old name of `max_speed_rpm`, '
-               'whose default is 100. What does `max_speed_rpm` hold at the start?', (
-        right('150', '`Aliases` does what it is made for: it moves the override to the new name before the declaration '
-              'reads it.'),
-        wrong('100', 'That is what happened with forwarding alone. `Aliases` moves the override to the new name.')),
-        otherwise='It holds 150. An old name in a file is no error: `Aliases` moves the override to the new name, and '
-                  'logs a warning.'),
 )
