@@ -4,7 +4,7 @@ import math
 
 from param_tutorial.nodes.clawbot_node import Motion, Settings, State, plan
 from param_tutorial.views.cart import cart_on_trip
-from param_tutorial.views.drawing import driving
+from param_tutorial.views.drawing import driving, track
 from param_tutorial.views.drawing.calls import Call, Line, draw_calls
 from param_tutorial.views.drawing.ladder import draw_ladder
 from param_tutorial.views.drawing.layers import draw_layers
@@ -116,4 +116,5 @@ EXAMPLES = {
         waiting_for='it is cold').at(0.0)),
     'robot_sentences': ''.join(f'<p>{driving.Moment(_PATIENT, each).text}</p>' for each in _STATES),
     'cart': driving.still(cart_on_trip('/cart', 1.0, 0.5).at(math.inf)),
+    'track': track.draw_track(track.Moment(f'/{EVIL}', 4.0, 2.0, 0.5, 1.0)),
     'timeline': Timeline('/robot', 'speed', _REJECTED)._repr_html_()}

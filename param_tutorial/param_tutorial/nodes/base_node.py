@@ -52,6 +52,8 @@ class BaseNode(Node):
         """The speed that it has been told and is still to reach or to keep."""
         self.has_crashed = False
         """True from when it hit the wall until it is put back."""
+        self.crash_speed_mps = 0.0
+        """How fast it hit the wall, if it did."""
         self._silence_sec = 0.0
 
     @property
@@ -90,7 +92,8 @@ class BaseNode(Node):
             self.position_m = self.speed_mps = 0.0
         if self.distance_m <= 0.0:
             self.get_logger().warning(f'Crashed: hit the wall at {self.speed_mps:.2f} m/s.')
-            self.position_m, self.speed_mps, self.has_crashed = self._value('wall_m'), 0.0, True
+            self.has_crashed, self.crash_speed_mps = True, self.speed_mps
+            self.position_m, self.speed_mps = self._value('wall_m'), 0.0
 
     def _measure(self) -> Range:
         measured = Range(radiation_type=Range.INFRARED, field_of_view=0.1, min_range=0.0, max_range=50.0)

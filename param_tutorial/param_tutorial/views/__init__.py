@@ -24,4 +24,5 @@ with lazy.Imports(__name__) as _imports:
     from param_tutorial.views.set_recorder import record_change as record_change
     from param_tutorial.views.side_by_side import SideBySide as SideBySide
     from param_tutorial.views.step_response import StepResponseView as StepResponseView
+    from param_tutorial.views.track import TrackView as TrackView
 __getattr__, __dir__, __all__ = _imports.load, _imports.names, _imports.public

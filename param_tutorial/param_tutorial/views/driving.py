@@ -24,7 +24,7 @@ class _Front(Front):
 
     _esm = bundle('param_tutorial/views/driving.js')
     _css = sheet('param_tutorial/views/drawing/track.css') + sheet('param_tutorial/views/driving.css')
-    markup = traitlets.Unicode(driving.VIEW).tag(sync=True)
+    markup = traitlets.Unicode(driving.view('Drive', 'Put it back to the start, and let it go')).tag(sync=True)
     picture = traitlets.Unicode().tag(sync=True)
     take = traitlets.Int().tag(sync=True)
     """The number of the picture: the same one may be shown again, from its beginning."""

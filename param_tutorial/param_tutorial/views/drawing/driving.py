@@ -41,10 +41,13 @@ _PAINTS = 8
 _NAME = 'robot-NAME'
 
 STYLE = style('param_tutorial/views/drawing/track.css')
-# Where ``views/driving.js`` shows a vehicle: its picture, its words and the button.
-VIEW = ('<div class="robot-picture"></div><div class="robot-foot">'
-        '<button type="button" class="robot-drive" title="Put it back to the start, and let it go" disabled>Drive'
-        '</button><div class="robot-says" role="status"></div></div>')
+
+
+def view(button: str, title: str) -> str:
+    """Return where a script shows a vehicle: its picture, its words and a button."""
+    return ('<div class="robot-picture"></div><div class="robot-foot">'
+            f'<button type="button" class="robot-drive" title="{title}" disabled>{button}'
+            '</button><div class="robot-says" role="status"></div></div>')
 
 
 @dataclass(frozen=True)

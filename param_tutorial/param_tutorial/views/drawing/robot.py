@@ -100,7 +100,7 @@ class Robot(Vehicle):
         if self.settings.safety_on:
             parts.append(driving.post(self, self.settings.stop_m, 'stop', 'robot-stop'))
         if crashed:
-            parts.append(_crash(wall, moment.state.crash_speed_mps, self.units_per_m))
+            parts.append(crash(wall, moment.state.crash_speed_mps, self.units_per_m))
         if self.temperature_c < 0:
             parts.append(f'<path class="robot-ice" d="M{wall - 5:.1f} {_WALL_TOP + 2}q4 -9 14 -8T{WIDTH + 6} '
                          f'{_WALL_TOP - 4}V{_WALL_TOP + 2}z"/><g class="robot-snow"><path d="{_flakes(0)}'
@@ -117,7 +117,7 @@ class Robot(Vehicle):
         deck = -radius - 100 * _DECK_OVER_WHEEL_M
         center = -50 * self.length_m
         sensor = center + 100 * self.sensor_mount_m
-        eye = deck - 100 * _EYE_OVER_DECK_M
+        eye = eye_over(deck)
         color = driving.paint(self.name)
         listens = ''
         if self.settings.safety_on and moment.state.word != 'CRASHED':
@@ -137,27 +137,45 @@ class Robot(Vehicle):
                      f'style="font-size:{15 / scale:.2f}px">sensor?</text>')
         frost = (f'<path class="robot-ice" d="M-58 {deck + 1:g}q3 -5 9 -3t12 -1t14 0t12 1t7 3z"/>'
                  if self.temperature_c < 0 else '')
-        body = (
-            # The antenna leans as the robot speeds up and brakes. Parts that move by themselves come first and last:
-            # each is a layer of the browser's, and so is what lies between two of them.
-            f'<g class="robot-antenna" style="{cargo_css}"><path d="M-53 {deck:g}v-30"/>'
-            f'<path class="robot-paint robot-paint-{color}" d="M-53 {deck - 30:g}h-12l3 4l-3 4h12z"/></g>'
-            f'{listens}'
-            # An arm with a claw, raised.
-            f'<path class="robot-arm" d="M-43 {deck:g}V{deck - 24:g}L-20 {deck - 33:g}L-11 {deck - 24:g}"/>'
-            f'<path class="robot-claw" d="M-15 {deck - 20:g}q-1 -8 5 -8l7 1M-11 {deck - 24:g}q8 5 6 13l-5 4"/>'
-            f'<circle class="robot-joint" cx="-43" cy="{deck - 24:g}" r="3"/>'
-            f'<circle class="robot-joint" cx="-20" cy="{deck - 33:g}" r="3"/>'
-            f'<rect class="robot-paint robot-paint-{color}" x="-59" y="{deck:g}" width="55" height="17" rx="3.5"/>'
-            f'{driving.pattern(color, -55, deck + 2, 42, 11)}'
-            f'<rect class="robot-bumper" x="-4.4" y="{-radius - 7:g}" width="4" height="12" rx="1.6"/>'
-            f'<path class="robot-arm" d="M{sensor:g} {deck:g}v-4"/>'
-            f'<rect class="robot-part" x="{sensor - 4:g}" y="{eye - 4:g}" width="8" height="8" rx="2"/>'
-            f'<circle class="robot-eye" cx="{sensor + 1.5:g}" cy="{eye:g}" r="2.2"/>{frost}{ghost}'
-            f'{driving.wheel(-46, radius, wheel_css)}{driving.wheel(-17, radius, wheel_css)}')
+        body = machine(color, deck, radius, sensor, wheel_css, cargo_css, behind_arm=listens, on_top=frost + ghost)
         name = svg.words(-33 * scale, (deck - 40) * scale, svg.cut(self.name, 18), css_class='robot-tag')
         return (f'<g transform="scale({scale:.4f})"><g class="robot-machine" style="--crash:'
                 f'{min(1.0, moment.state.crash_speed_mps / 1.5):.2f}">{body}</g></g>{name}')
+
+
+def eye_over(deck: float) -> float:
+    """Return how high the eye of its sensor is, in centimeters; upward is negative."""
+    return deck - 100 * _EYE_OVER_DECK_M
+
+
+def machine(color: int, deck: float, radius: float, sensor: float, wheel_css: str, cargo_css: str, *,
+            behind_arm: str = '', on_top: str = '') -> str:
+    """Return SVG of a robot in centimeters; its bumper ends at 0, where its front is.
+
+    :param color: The number of its paint.
+    :param deck: How high its upper side is.
+    :param radius: Of its wheels.
+    :param sensor: Where its sensor sits.
+    """
+    eye = eye_over(deck)
+    return (
+        # The antenna leans as the robot speeds up and brakes. Parts that move by themselves come first and last:
+        # each is a layer of the browser's, and so is what lies between two of them.
+        f'<g class="robot-antenna" style="{cargo_css}"><path d="M-53 {deck:g}v-30"/>'
+        f'<path class="robot-paint robot-paint-{color}" d="M-53 {deck - 30:g}h-12l3 4l-3 4h12z"/></g>'
+        f'{behind_arm}'
+        # An arm with a claw, raised.
+        f'<path class="robot-arm" d="M-43 {deck:g}V{deck - 24:g}L-20 {deck - 33:g}L-11 {deck - 24:g}"/>'
+        f'<path class="robot-claw" d="M-15 {deck - 20:g}q-1 -8 5 -8l7 1M-11 {deck - 24:g}q8 5 6 13l-5 4"/>'
+        f'<circle class="robot-joint" cx="-43" cy="{deck - 24:g}" r="3"/>'
+        f'<circle class="robot-joint" cx="-20" cy="{deck - 33:g}" r="3"/>'
+        f'<rect class="robot-paint robot-paint-{color}" x="-59" y="{deck:g}" width="55" height="17" rx="3.5"/>'
+        f'{driving.pattern(color, -55, deck + 2, 42, 11)}'
+        f'<rect class="robot-bumper" x="-4.4" y="{-radius - 7:g}" width="4" height="12" rx="1.6"/>'
+        f'<path class="robot-arm" d="M{sensor:g} {deck:g}v-4"/>'
+        f'<rect class="robot-part" x="{sensor - 4:g}" y="{eye - 4:g}" width="8" height="8" rx="2"/>'
+        f'<circle class="robot-eye" cx="{sensor + 1.5:g}" cy="{eye:g}" r="2.2"/>{on_top}'
+        f'{driving.wheel(-46, radius, wheel_css)}{driving.wheel(-17, radius, wheel_css)}')
 
 
 def _bricks(wall: float) -> str:
@@ -185,7 +203,7 @@ def _flakes(top: float) -> str:
     return d
 
 
-def _crash(wall: float, speed_mps: float, units_per_m: float) -> str:
+def crash(wall: float, speed_mps: float, units_per_m: float) -> str:
     """Return the cracks, the pieces that fly, and a star with the word."""
     hit = GROUND - 0.22 * units_per_m
     cracks = f'M{wall:.1f} {hit:.1f}l14 -9l8 -22l16 -8m-24 30l20 12l26 -6m-46 -6l-4 14l12 18l-4 16l14 14'

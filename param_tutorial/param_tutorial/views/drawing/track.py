@@ -1,0 +1,135 @@
+"""The robot that a reader's own node drives, on its track: what it looks like at one moment, and what that says.
+
+Sizes are pixels, so words and the robot keep theirs on every page; the way to the wall is as long as there is room. The
+picture is drawn once for a track. ``views/track.css`` moves its parts by variables, and for each moment
+``views/track.js`` sets these and the words.
+"""
+
+import html
+from dataclasses import dataclass
+
+from param_tutorial.views.drawing import driving, robot
+
+# Slower looks like standing.
+_STANDING_MPS = 0.005
+# The arrow grows up to this speed; the number says more.
+_FASTEST_SHOWN_MPS = 2.0
+# As on a wheel of this radius, in m, although the robot is drawn larger than the track.
+_WHEEL_M = 0.2
+_SCALE = 1.9
+# How high its upper side is, in centimeters.
+_DECK = -26.0
+
+
+@dataclass(frozen=True)
+class Moment:
+    """The base and its track at one moment."""
+
+    node: str
+    """Its fully qualified name."""
+    wall_m: float
+    position_m: float = 0.0
+    speed_mps: float = 0.0
+    commanded_mps: float = 0.0
+    crash_speed_mps: float | None = None
+    """How fast it hit the wall, if it did."""
+
+    @property
+    def distance_m(self) -> float:
+        return max(0.0, self.wall_m - self.position_m)
+
+    @property
+    def word(self) -> str:
+        """What it is doing."""
+        missing = self.commanded_mps - self.speed_mps
+        if self.crash_speed_mps is not None:
+            return 'CRASHED'
+        # At the start there is no way back.
+        stays = abs(missing) < _STANDING_MPS or (self.position_m == 0 and missing < 0)
+        if abs(self.speed_mps) < _STANDING_MPS and stays:
+            return 'STOPPED' if self.position_m else 'READY'
+        if abs(missing) < _STANDING_MPS:
+            return 'DRIVING' if self.speed_mps > 0 else 'BACKING UP'
+        return 'SPEEDING UP' if missing * (self.speed_mps or missing) > 0 else 'SLOWING DOWN'
+
+    @property
+    def sentence(self) -> str:
+        """What there is to say when that begins."""
+        return {
+            'READY': 'The robot waits for a speed on cmd_vel.',
+            'DRIVING': 'The robot is as fast as cmd_vel asks.',
+            'BACKING UP': 'The robot drives backward, as cmd_vel asks.',
+            'SPEEDING UP': 'The robot is slower than cmd_vel asks.',
+            'SLOWING DOWN': 'The robot is faster than cmd_vel asks.',
+            'STOPPED': f'The robot stands {self.distance_m:.2f} m from the wall.',
+            'CRASHED': f'The robot has hit the wall at {self.crash_speed_mps or 0:.2f} m/s.'}[self.word]
+
+    @property
+    def text(self) -> str:
+        """The whole picture in words, as a screen reader tells it."""
+        return f'{self.word}. {self.sentence} ' + ', '.join(
+            f'{name} {value}' for name, value in zip(('cmd_vel', 'speed', 'distance'), self._numbers)) + '.'
+
+    @property
+    def _numbers(self) -> tuple[str, str, str]:
+        # Plus zero, or a speed that has come down to it may be -0.00.
+        return (f'{round(self.commanded_mps, 2) + 0:.2f} m/s', f'{round(self.speed_mps, 2) + 0:.2f} m/s',
+                f'{self.distance_m:.2f} m')
+
+    @property
+    def css(self) -> dict[str, float]:
+        """The variables of CSS that bring all parts to their places."""
+        def shown(speed_mps: float) -> float:
+            return round(max(-1.0, min(1.0, speed_mps / _FASTEST_SHOWN_MPS)), 3)
+
+        return {'--at': round(min(1.0, self.position_m / self.wall_m), 4), '--speed': shown(self.speed_mps),
+                '--command': shown(self.commanded_mps), '--way': (self.speed_mps > 0) - (self.speed_mps < 0),
+                '--told': int(self.word not in ('READY', 'STOPPED', 'CRASHED')),
+                '--turn': round(self.position_m / _WHEEL_M, 2),
+                '--lean': round(.15 * shown(self.speed_mps - self.commanded_mps), 3)}
+
+    @property
+    def says(self) -> dict[str, str]:
+        """The words in the picture, by the class of the element that has them."""
+        command, speed, distance = self._numbers
+        crash = '' if self.crash_speed_mps is None else f'{self.crash_speed_mps:.2f} m/s'
+        return {'robot-word': self.word, 'track-command': command, 'track-speed': speed, 'track-distance': distance,
+                'track-gap-words': distance,
+                'track-arrow-words': speed, 'robot-bang-speed': crash}
+
+
+def draw_track(moment: Moment) -> str:
+    """Return HTML of the track at a moment, as it is before a script moves it."""
+    says = moment.says
+    css = ''.join(f'{name}:{value};' for name, value in moment.css.items())
+    readouts = ''.join(
+        f'<span class="track-readout"><i class="track-{kind}-sign"></i>{name} <strong class="track-{kind}">'
+        f'{says[f"track-{kind}"]}</strong></span>'
+        for kind, name in (('command', 'cmd_vel'), ('speed', 'speed'), ('distance', 'distance')))
+    step = next(step for step in (1, 2, 5, 10) if moment.wall_m / step <= 10)
+    # Where the picture is narrow there is no room for every number.
+    marks = ''.join(
+        f'<span class="track-mark{" track-between" if moment.wall_m > 5 * step and meter // step % 2 else ""}" '
+        f'style="left:{100 * meter / moment.wall_m:.2f}%">{meter} m</span>'
+        for meter in range(0, int(moment.wall_m) + 1, step))
+    eye = robot.eye_over(_DECK)
+    # The wall hides where the ray ends.
+    ray = (f'<g class="track-ray"><path class="robot-beam" d="M-12 {eye:g}l44 -8v16z"/>'
+           f'<path class="robot-laser" style="stroke-width:.8" d="M-12 {eye:g}h9999"/></g>')
+    body = robot.machine(0, _DECK, 9.0, -15.0, 'transform:rotate(calc(var(--turn)*1rad))',
+                         'transform:rotate(calc(var(--lean)*1rad))')
+    return (
+        f'<div class="robot-stage track-stage" style="{css}">'
+        f'<div class="robot-head" aria-hidden="true"><span class="robot-word">{moment.word}</span>{readouts}'
+        f'<span class="robot-node">{html.escape(moment.node)}</span></div>'
+        f'<div class="track-scene{" robot-crashed" if moment.crash_speed_mps is not None else ""}" role="img" '
+        f'aria-label="{html.escape(moment.text)}"><div class="track-way" aria-hidden="true">{marks}'
+        f'<div class="track-robot"><svg><g transform="scale({_SCALE})">{ray}'
+        f'<g class="robot-machine" style="--crash:.6">{body}</g></g></svg></div>'
+        f'<div class="track-wall"></div><div class="track-gap"></div>'
+        f'<strong class="track-gap-words">{says["track-gap-words"]}</strong>'
+        f'<div class="track-robot"><i class="track-end"></i><div class="track-arrow"><i class="track-arrow-shaft"></i>'
+        f'<i class="track-arrow-head"></i><i class="track-arrow-command"></i>'
+        f'<strong class="track-arrow-words">{says["track-arrow-words"]}</strong></div></div>'
+        f'<svg class="track-crash"><g transform="translate(0 {1 - driving.GROUND})">'
+        f'{robot.crash(0, moment.crash_speed_mps or 1, 194)}</g></svg></div></div></div>')
