@@ -13,7 +13,7 @@ from param_tutorial.views.drawing.messages import Listener, draw_messages
 from param_tutorial.views.drawing.number_line import Attempt, Scale, draw_number_line
 from param_tutorial.views.drawing.plane import Way, draw_plane
 from param_tutorial.views.drawing.robot import Robot
-from param_tutorial.views.drawing.timeline import Step, Timeline
+from param_tutorial.views.drawing.timeline import Step
 from param_tutorial.views.drawing.trail import Moment, Move, draw_trail
 
 # Names and values are text, whatever is in them.
@@ -116,5 +116,4 @@ EXAMPLES = {
         waiting_for='it is cold').at(0.0)),
     'robot_sentences': ''.join(f'<p>{driving.Moment(_PATIENT, each).text}</p>' for each in _STATES),
     'cart': driving.still(cart_on_trip('/cart', 1.0, 0.5).at(math.inf)),
-    'track': track.draw_track(track.Moment(f'/{EVIL}', 4.0, 2.0, 0.5, 1.0)),
-    'timeline': Timeline('/robot', 'speed', _REJECTED)._repr_html_()}
+    'track': track.draw_track(track.Moment(f'/{EVIL}', 4.0, 2.0, 0.5, 1.0))}

@@ -7,7 +7,7 @@ import pytest
 from rclpy.node import Node
 
 from param_tutorial import ParameterClient, wait_until
-from param_tutorial.nodes.pid_controller_node import Figures, Gains, Motor, PidControllerNode, simulate
+from param_tutorial.nodes.pid_controller_node import Figures, PidControllerNode
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.views import StepResponseView
 from param_tutorial.views.step_response import verdicts
@@ -117,9 +117,3 @@ def test_values_that_cannot_be_simulated_are_reported(ros, controller, others):
     ros.add(Careless, controller, **others)
     view = StepResponseView('careless')
     assert view.text.startswith('/careless holds values with which nothing can be simulated: ')
-
-
-# -- the plot and the wheel ----------------------------------------------------------------------------------
-
-def respond(*gains, **options):
-    return simulate(Gains(*gains), Motor(), 10.0, **{'rate_hz': 100, 'duration_sec': 3.0, **options})

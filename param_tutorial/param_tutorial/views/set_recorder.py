@@ -1,6 +1,7 @@
 """Record what becomes of each set of parameters on its way through a node.
 
-``record_change`` returns a picture of one set, ``record_set`` the facts; NumberLineView follows one set after another.
+``record_change`` returns what happened in one set as a table, and ``record_set`` what came of it, too; NumberLineView
+follows one set after another.
 """
 
 import contextlib
@@ -42,7 +43,7 @@ def record_change(node: Node, name: str, value: Any) -> Timeline:
     """Ask a node to set one parameter, and record what happens in it, in that order.
 
     The record holds the calls of the node's callbacks, the moment when the value is stored, and the message on
-    /parameter_events; the node behaves as without a record. An exception in a callback is drawn too.
+    /parameter_events; the node behaves as without a record. An exception in a callback is noted too.
 
     :param node: On the stage; what happens in another process cannot be looked into.
     :raises ExecutorError: the node is not on the stage.

@@ -16,8 +16,6 @@ INK = 'var(--jp-ui-font-color1, #212121)'
 FAINT = 'var(--jp-border-color2, #bdbdbd)'
 BRAND = 'var(--jp-brand-color1, #1976d2)'
 PAPER = 'var(--jp-layout-color2, #eee)'
-BOLD = ' font-weight="bold"'
-STROKE = f'stroke="{INK}" stroke-width="1.5"'
 _TEXT = f' fill="{INK}" font-size="13" font-family="var(--jp-ui-font-family, sans-serif)"'
 
 STYLE = styles.style('param_tutorial/views/drawing/svg.css')
@@ -56,9 +54,9 @@ def words(x: float, y: float, text: str, kind: str = '', *, anchor: str = 'middl
     return f'<text{named} x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"{style}>{html.escape(text)}</text>'
 
 
-def plain_words(x: float, y: float, text: str, anchor: str, attributes: str = '') -> str:
+def plain_words(x: float, y: float, text: str, anchor: str) -> str:
     """Return a line of text for a picture that has no style sheet."""
-    return words(x, y, text, anchor=anchor, style=_TEXT + attributes)
+    return words(x, y, text, anchor=anchor, style=_TEXT)
 
 
 def paragraph(x: float, y: float, lines: Sequence[str], kind: str = '', *, anchor: str = 'middle') -> str:
@@ -71,17 +69,14 @@ def line(x1: float, y1: float, x2: float, y2: float, attributes: str) -> str:
     return f'<line x1="{x1:.1f}" y1="{y1:.1f}" x2="{x2:.1f}" y2="{y2:.1f}" {attributes}/>'
 
 
-def arrow(x1: float, y1: float, x2: float, y2: float, kind: str = 'line', *, attributes: str = '') -> str:
-    """Return a line with a head at its second end.
-
-    :param attributes: Of the line, in the place of a kind.
-    """
+def arrow(x1: float, y1: float, x2: float, y2: float, kind: str = 'line') -> str:
+    """Return a line with a head at its second end."""
     length = ((x2 - x1) ** 2 + (y2 - y1) ** 2) ** 0.5
     along_x, along_y = (x2 - x1) / length, (y2 - y1) / length
     foot_x, foot_y = x2 - 9 * along_x, y2 - 9 * along_y
     corners = [(x2, y2), (foot_x - 4 * along_y, foot_y + 4 * along_x), (foot_x + 4 * along_y, foot_y - 4 * along_x)]
     tip = ' '.join(f'{x:.1f},{y:.1f}' for x, y in corners)
-    return (line(x1, y1, foot_x, foot_y, attributes or _class(kind).lstrip())
+    return (line(x1, y1, foot_x, foot_y, _class(kind).lstrip())
             + f'<polygon points="{tip}" fill="{INK}"/>')
 
 
