@@ -1,4 +1,4 @@
-"""Rules for parameters beyond type and range: patterns, choices, multiples, lengths, and rules across several.
+"""Rules for parameters beyond type and range: patterns, choices, lengths, and rules across several.
 
 Declare first, then state the rules:
 
@@ -13,11 +13,9 @@ describe`` and panels show it.
 
 import ast
 import contextlib
-import math
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any
 
 from rcl_interfaces.msg import SetParametersResult
@@ -29,12 +27,8 @@ from param_tools import values
 from param_tools.errors import InvalidValueError, ParameterNotDeclaredError, RuleError
 from param_tools.ros import rclpy_private
 
-_NUMBERS = (values.INTEGER, values.DOUBLE, values.INTEGER_ARRAY, values.DOUBLE_ARRAY)
 _TEXTS = (values.STRING, values.STRING_ARRAY)
 _ARRAYS = tuple(each for each in values.TYPES if each.is_array)
-# How far from a multiple a number may be, in steps: 3 * 0.1 is 0.30000000000000004, and the sender means 0.3.
-_TOLERANCE = Fraction(1, 10**6)
-_NUMBER = r'[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?'
 # How much of a value a reason repeats.
 _LETTERS = 60
 # The words of two rules, which ``text.choices_of`` and ``locks.conditions_of`` find in a descriptor.
@@ -140,34 +134,6 @@ class Rules:
                 raise _nonsense(name, objection)
         return self._state_for_each(name, f'{ONE_OF}{", ".join(map(repr, listed))}',
                                     lambda value: any(values.same(value, choice) for choice in listed))
-
-    def multiple_of(self, name: str, step: float, unit: str = '') -> 'Rules':
-        """State that a number, or each of an array, is a multiple of a step, to a millionth of the step.
-
-        :param unit: The unit of the step, to be shown.
-        """
-        if isinstance(step, bool) or not isinstance(step, (int, float)) or not 0 < step < math.inf:
-            raise _nonsense(name, f'a step is a number above 0, not {step!r}')
-
-        def is_multiple(value: float) -> bool:
-            if not math.isfinite(value):
-                return False
-            # Fractions of the decimal text, as people count; floats would be off for large values.
-            steps = Fraction(str(value)) / Fraction(str(step))
-            return abs(steps - round(steps)) <= _TOLERANCE
-
-        return self._state_for_each(name, f'must be a multiple of {step} {unit}'.rstrip(), is_multiple,
-                                    _NUMBERS, 'numbers')
-
-    def quantity(self, name: str, units: Iterable[str]) -> 'Rules':
-        """State that a text is a number followed by one of several units, such as '250 ms'."""
-        listed = _listed(units)
-        if not listed or not all(isinstance(unit, str) and unit.strip() for unit in listed):
-            raise _nonsense(name, f'give a list of at least one unit, not {units!r}')
-        pattern = re.compile(f'{_NUMBER} ?({"|".join(map(re.escape, listed))})')
-        return self._state_for_each(
-            name, f'must be a number with the unit {" or ".join(listed)}, such as "1.5 {listed[0]}"',
-            pattern.fullmatch, _TEXTS, 'texts')
 
     def length(self, name: str, at_least: int, at_most: int | None = None) -> 'Rules':
         """State how many elements an array has, or how many characters a text.
