@@ -9,7 +9,6 @@ from param_tutorial.views.drawing.calls import Call, Line, draw_calls
 from param_tutorial.views.drawing.ladder import draw_ladder
 from param_tutorial.views.drawing.layers import draw_layers
 from param_tutorial.views.drawing.lifts import draw_lifts
-from param_tutorial.views.drawing.messages import Listener, draw_messages
 from param_tutorial.views.drawing.number_line import Attempt, Scale, draw_number_line
 from param_tutorial.views.drawing.plane import Way, draw_plane
 from param_tutorial.views.drawing.robot import Robot
@@ -46,9 +45,6 @@ _CALLS = [
     Call('/amr', 'get_parameters', ('tool',), problem='there is no node /amr. Did you mean /arm?', is_delivered=False),
     Call('/dozing', 'list_parameters', (), problem='/dozing did not answer within 0.5 s')]
 
-_LISTENERS = {'/monitor': Listener('reliable, volatile'), 'this notebook': Listener('reliable, volatile'),
-              '/hopeful': Listener('reliable, transient local', 'incompatible QoS')}
-
 _PAIRS = {(low, high): low < high for low in range(-10, 71, 10) for high in range(-10, 71, 10)}
 _WAYS = [Way('one by one', (50, 60), [('high_c = 10', (50, 10), (50, 60)), ('low_c = 0', (0, 60), (0, 60))]),
          Way('atomically', (50, 60), [('high_c = 10, low_c = 0', (0, 10), (0, 10))])]
@@ -71,9 +67,6 @@ DIAGRAMS = {
     'lifts': draw_lifts({'before': [(0, 0.0), (1, .2), (2, .7), (3, 1.2), (4, 1.3)],
                          'after': [(0, 0.0), (1, .2), (2, .4), (3, .6), (4, .7)]},
                         {0: '0.2 m/s', 1: '0.5 m/s with 900 kg: rejected', 3: '0.1 m/s'}),
-    'messages': draw_messages(['/arm', '/monitor'], _LISTENERS, '/arm', ['changed speed = 2', 'deleted note'],
-                              offers='reliable, volatile'),
-    'messages_none': draw_messages(['/arm'], {'this notebook': Listener('reliable, volatile')}),
     'number_line': draw_number_line('/gripper', 'opening_mm', Scale(0, 85, 10), 40),
     'number_line_accepted': draw_number_line('/gripper', 'opening_mm', Scale(0, 85, 10), 80, before=40,
                                              request=Attempt(85, '85')),

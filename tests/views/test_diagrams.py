@@ -3,33 +3,28 @@
 import re
 
 import pytest
-from rcl_interfaces.msg import ParameterEvent, SetParametersResult
 from rclpy.node import Node
-from rclpy.parameter import Parameter
-from rclpy.qos import DurabilityPolicy, QoSProfile
 
 import param_tutorial
 from param_tools.errors import NodeNotFoundError
 from param_tutorial import ParameterClient, views, wait_until
-from param_tutorial.nodes.param_event_monitor import ParamEventMonitor
 from tests.support.widgets import texts
 from tests.views.conftest import Weather
 
 SOME = range(0, 30, 10)
 
 
-def choose(view, chosen):
-    """Do what the browser does when a reader has chosen something below a picture, and return the line."""
+def ask(view, text):
+    """Do what the browser does when a reader asks for a value below a picture, and return the line."""
     *_, below = view.children
-    below._handle_custom_msg({'chosen': chosen}, [])
+    below._handle_custom_msg({'asked': text}, [])
     return below
 
 
 @pytest.mark.parametrize('make', [
     views.CallsView,
     lambda: views.LadderView('/weather', 'low_c', -6),
-    lambda: views.MessageView('/weather', 'low_c', -6),
-], ids=['calls', 'ladder', 'message'])
+], ids=['calls', 'ladder'])
 def test_a_picture_of_what_was_measured_outlives_the_stage(weather, make):
     view = make()
     param_tutorial.stop()
@@ -132,66 +127,13 @@ def test_a_new_value_stops_at_the_parameter_of_the_node_that_copies(ros):
 def test_a_value_climbs_down_the_ladder_or_returns_from_it_and_another_is_typed(ros, robot):
     view = views.LadderView(robot, 'speed', 900)
     assert repr(view) == '<LadderView: speed = 900 is accepted, and 300 is stored.>' and view.node == '/robot'
-    below = choose(view, '-5')
+    below = ask(view, '-5')
     assert 'judge rejects: minus five; stored is 300' in view.text and (below.name, below.text) == ('speed', '900')
     # With the type that `ros2 param set` would give it.
-    choose(view, 'fast')
+    ask(view, 'fast')
     assert 'an exception at pre-set callbacks, and the caller gets no answer' in view.text and below.problem == ''
     ros.remove(robot)
     before = view.text
-    assert '/robot' in choose(view, '7').problem and view.text == before
+    assert '/robot' in ask(view, '7').problem and view.text == before
     with pytest.raises(NodeNotFoundError, match='/nobody'):
         views.LadderView('nobody', 'speed', 1)
-
-
-# -- messages ------------------------------------------------------------------------------------------------
-
-class Ears(Node):
-    """Listens, and keeps what it hears."""
-
-    def __init__(self, durability):
-        super().__init__('ears')
-        self.heard = []
-        self.ears = self.create_subscription(ParameterEvent, '/parameter_events', self.hear,
-                                             QoSProfile(depth=10, durability=durability))
-
-    def hear(self, event):
-        self.heard += [each.name for each in event.changed_parameters]
-
-
-def test_a_listener_gets_the_message_as_the_qos_allows_that_is_chosen_for_it(ros, robot, client):
-    ros.add(ParamEventMonitor)
-    ears = ros.add(Ears, DurabilityPolicy.TRANSIENT_LOCAL)
-    view = views.MessageView(client, 'speed', 5)
-    assert (repr(view), view.node) == ('<MessageView: /robot accepted speed = 5>', '/robot')
-    assert 'subscribe to it: /param_event_monitor (asks for reliable, volatile), this notebook' in view.text
-    assert view.text.endswith('/ears (asks for reliable, transient local) subscribes and gets nothing: incompatible '
-                              'QoS. A message from /robot goes to 2 listeners. It says: changed speed = 5.')
-    below = choose(view, ['/ears', 'durability', 'volatile'])
-    assert below.things['/ears'] == {'reliability': 'reliable', 'durability': 'volatile'}
-    wait_until(lambda: ears.heard == ['speed'], 'the message to arrive')
-    assert '/ears (asks for reliable, volatile)' in below.outcome == view.text
-    # The node has the new subscription wherever it had the old one, and no other.
-    assert list(ears.subscriptions) == [ears.ears]
-    choose(view, ['/ears', 'durability', 'transient local'])
-    assert '/ears (asks for reliable, transient local) subscribes and' in view.text and ears.heard == ['speed']
-    assert '/nobody' in choose(view, ['/nobody', 'durability', 'volatile']).problem
-
-
-def test_a_late_declaration_is_not_the_message(robot):
-    publisher = robot.create_publisher(ParameterEvent, '/parameter_events', 10)
-    wait_until(publisher.get_subscription_count, 'a subscription')
-
-    late = ParameterEvent(node='/robot', new_parameters=[Parameter('speed', value=1).to_parameter_msg()])
-
-    def declare_late(_):
-        publisher.publish(late)
-        return SetParametersResult(successful=True)
-
-    robot.add_on_set_parameters_callback(declare_late)
-    assert views.MessageView(robot, 'speed', 5).text.endswith('It says: changed speed = 5.')
-
-
-def test_a_rejected_value_sends_no_message(robot):
-    view = views.MessageView(robot, 'speed', -5)
-    assert 'Nothing has changed yet' in view.text and 'rejected' in repr(view)

@@ -48,7 +48,7 @@ def test_it_shows_what_is_asked_for_in_code_or_typed_below_it(robot, client):
     client.set_parameter('opening', 45)
     shows(view, 'opening = 45 is rejected; 40 stays. The parameter value for opening is not a valid step')
     *_, below = view.children
-    below._handle_custom_msg({'chosen': '50'}, [])
+    below._handle_custom_msg({'asked': '50'}, [])
     shows(view, 'opening = 50 is stored.')
     assert below.outcome == 'opening = 50 is stored.'
 

@@ -17,7 +17,6 @@ with lazy.Imports(__name__) as _imports:
     from param_tutorial.views.layers import LayersView as LayersView
     from param_tutorial.views.lifts import LiftsView as LiftsView
     from param_tutorial.views.log import LogView as LogView
-    from param_tutorial.views.messages import MessageView as MessageView
     from param_tutorial.views.number_line import NumberLineView as NumberLineView
     from param_tutorial.views.plane import PlaneView as PlaneView
     from param_tutorial.views.robot import RobotView as RobotView

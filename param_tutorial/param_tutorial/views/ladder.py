@@ -6,10 +6,10 @@ from rclpy.node import Node
 
 from param_tools import values
 from param_tools.node.client import ParameterClient
+from param_tutorial.views.asking import Asking
 from param_tutorial.views.base import PictureView
 from param_tutorial.views.drawing.diagram import Diagram
 from param_tutorial.views.drawing.ladder import draw_ladder
-from param_tutorial.views.handle import Asking
 from param_tutorial.views.set_recorder import record_set
 
 

@@ -12,10 +12,10 @@ from param_tools.errors import ExecutorError
 from param_tools.node.client import ParameterClient, descriptor_of, node_name
 from param_tools.panel.view import FollowingView, no_op
 from param_tools.ros.executor import BackgroundExecutor
+from param_tutorial.views.asking import Asking
 from param_tutorial.views.base import AnimatedView, name_of
 from param_tutorial.views.drawing.diagram import head
 from param_tutorial.views.drawing.number_line import Attempt, Scale, draw_number_line
-from param_tutorial.views.handle import Asking
 from param_tutorial.views.set_recorder import RecordedSet, follow_sets, record_set
 
 

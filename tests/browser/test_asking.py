@@ -1,4 +1,4 @@
-"""What a reader drags, types and chooses below a picture, with mouse and keyboard, and what real nodes say to it."""
+"""What a reader drags and types below a picture, with mouse and keyboard, and what real nodes say to it."""
 
 import re
 
@@ -13,13 +13,12 @@ CELLS = (
     """import os
 import time
 
-from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, ParameterEvent, SetParametersResult
+from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
-from rclpy.qos import DurabilityPolicy, QoSProfile
 
 import param_tutorial
 from param_tutorial import ParameterClient
-from param_tutorial.views import LadderView, MessageView, NumberLineView
+from param_tutorial.views import LadderView, NumberLineView
 
 
 class Robot(Node):
@@ -36,21 +35,12 @@ class Robot(Node):
         return SetParametersResult(successful=True)
 
 
-class Hopeful(Node):
-    def __init__(self):
-        super().__init__('hopeful')
-        profile = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-        self.ears = self.create_subscription(ParameterEvent, '/parameter_events', print, profile)
-
-
 ros = param_tutorial.start()
 ros.add(Robot)
-ros.add(Hopeful)
 NumberLineView('/robot', 'opening')""",
-    "MessageView('/robot', 'speed', 5)",
     "LadderView('/robot', 'speed', 7)",
 )
-LINE, MESSAGES, LADDER = range(len(CELLS))
+LINE, LADDER = range(len(CELLS))
 
 
 @pytest.fixture(scope='module')
@@ -92,16 +82,6 @@ def test_the_marker_of_a_number_line_is_dragged_also_to_where_no_value_is_allowe
     drag(page, view(page, LINE).locator('svg').first.locator('.motion-pin'), 1)
     expect(outcome(page, LINE)).to_contain_text('opening = -15 is rejected: Parameter opening out of range')
     expect(view(page, LINE).get_by_role('textbox')).to_have_value('-15')
-
-
-def test_listeners_get_the_message_as_the_chosen_qos_allows(opened):
-    _, page = opened
-    picture = view(page, MESSAGES)
-    picture.get_by_label('durability of /hopeful').select_option('volatile')
-    expect(outcome(page, MESSAGES)).to_contain_text('/hopeful (asks for reliable, volatile), this notebook')
-    picture.get_by_label('durability of /hopeful').select_option('transient local')
-    expect(outcome(page, MESSAGES)).to_contain_text(
-        '/hopeful (asks for reliable, transient local) subscribes and gets nothing: incompatible QoS')
 
 
 def test_as_long_as_there_is_no_answer_the_line_says_so(opened):
