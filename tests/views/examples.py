@@ -11,6 +11,7 @@ from param_tutorial.views.drawing.layers import draw_layers
 from param_tutorial.views.drawing.lifts import draw_lifts
 from param_tutorial.views.drawing.number_line import Attempt, Scale, draw_number_line
 from param_tutorial.views.drawing.plane import Way, draw_plane
+from param_tutorial.views.drawing.plots import Band, LinePlot
 from param_tutorial.views.drawing.robot import Robot
 from param_tutorial.views.drawing.timeline import Step
 from param_tutorial.views.drawing.trail import Moment, Move, draw_trail
@@ -108,5 +109,9 @@ EXAMPLES = {
         Settings(1.0, 0.5, sensor_offset_m=0.4, track_m=14.0), _WAITING, temperature_c=-12, wheel_m=0.12,
         waiting_for='it is cold').at(0.0)),
     'robot_sentences': ''.join(f'<p>{driving.Moment(_PATIENT, each).text}</p>' for each in _STATES),
+    'plot': LinePlot({name: [(0, 0.0), (2, number)] for number, name in enumerate(('ramp', EVIL, 'p', 'i'), start=1)},
+                     x='time & more in s', y=EVIL, marks={1: 'changed'})._repr_html_(),
+    'plot_band': LinePlot({'reference': [(0, 10.0), (3, 10.0)], 'conditional_integration': [(0, 0.0), (1, 10.0)]},
+                          x='s', y='rad/s', before=[(0, 0.0), (1, 5.0)], band=Band(0.4, 9.7, 10.3))._repr_html_(),
     'cart': driving.still(cart_on_trip('/cart', 1.0, 0.5).at(math.inf)),
     'track': track.draw_track(track.Moment(f'/{EVIL}', 4.0, 2.0, 0.5, 1.0))}
