@@ -131,7 +131,7 @@ def _add_card(diagram: Diagram, lines: Sequence[Line], top: float, leaves_sec: f
         to_x = from_x + (to_x - from_x) * _LOST
     there_sec = diagram.journey(''.join(card), half, begin, from_x, to_x, y, leaves_sec)
     if is_lost:
-        diagram.mark(False, (to_x + half + end) / 2, y, there_sec)
+        diagram.show(there_sec, svg.cross((to_x + half + end) / 2, y))
     return there_sec
 
 

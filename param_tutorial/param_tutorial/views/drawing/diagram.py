@@ -99,10 +99,6 @@ class Diagram:
         """Add parts that are there from one moment on."""
         self.add(Seen(parts, from_sec, to_sec))
 
-    def mark(self, is_good: bool, x: float, y: float, from_sec: float) -> None:
-        """Add a check mark or a cross."""
-        self.show(from_sec, svg.check(x, y) if is_good else svg.cross(x, y))
-
     def journey(self, token: str, half: float, begin_x: float, from_x: float, to_x: float, y: float,
                 leaves_sec: float) -> float:
         """Add a token that travels to the left or to the right, and the road that it leaves behind.

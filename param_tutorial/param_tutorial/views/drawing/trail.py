@@ -125,7 +125,7 @@ def _add_bounce(diagram: Diagram, columns: _Columns, y: float, move: Move, leave
     token, from_x, there_sec = columns.cut(move.rejected), columns.x(move.source), leaves_sec + TRAVEL_SEC
     edge_x = columns.x(move.target) - columns.width / 2
     touch_x = edge_x - svg.token_width(token) / 2 - 2
-    diagram.mark(False, edge_x + 16, y, there_sec - .3)
+    diagram.show(there_sec - .3, svg.cross(edge_x + 16, y))
     diagram.show(there_sec - .3, svg.words(edge_x + 30, y + 4.5, columns.cut(move.objection), anchor='start'))
     diagram.add(Moving(svg.token(token, 'token-bad'), from_sec=leaves_sec - .1, stops=[
         (leaves_sec, from_x, y), (there_sec - .3, touch_x, y), (there_sec, from_x, y)]))
