@@ -1,5 +1,5 @@
-"""Exercises of chapter 7.1: order the lines of a parameter file, write a parameter file by hand, and predict what
-comes back from a dump."""
+"""Exercises of chapter 7.1: write a small parameter file and a longer one by hand, and predict what comes back from a
+dump."""
 
 import re
 import tempfile
@@ -192,8 +192,8 @@ require_load('[]', {
     None: 'What the node rejects takes nothing away'}, NO_FILE)
 
 
-order = Exercise('7.1a', 'Put a file in order', CHAPTER, TEXT, hints=(
-    'The indentation is right: each line belongs to the nearest line above it that is indented less.',
+light = Exercise('7.1a', 'Write a file for a lamp', CHAPTER, TEXT, hints=(
+    'Four levels: each line belongs to the nearest line above it that is indented less.',
     'The node is at the left margin, below it `ros__parameters`, and below that the parameters. A dot in a name adds a '
     'level: `color.red` is `red` below `color`.'))
 LAMP: dict[str, tuple[Any, Any]] = {'brightness_percent': (100, 60), 'color.red': (1.0, 0.5)}
@@ -210,7 +210,7 @@ def lamp(*names: str) -> type[Node]:
     return Lamp
 
 
-@order.require('rcl can read the file, and it is for `/lamp`', see=FORMAT)
+@light.require('rcl can read the file, and it is for `/lamp`', see=FORMAT)
 def reaches_lamp(trial: Trial) -> None:
     expect_block(trial, '/lamp')
 
@@ -219,7 +219,7 @@ def require_lamp(name: str) -> None:
     """Add the requirement that the lamp starts with a value."""
     default, value = LAMP[name]
 
-    @order.require(f'the lamp starts with a `{name}` of `{value!r}`', see=FORMAT)
+    @light.require(f'the lamp starts with a `{name}` of `{value!r}`', see=FORMAT)
     def starts(trial: Trial) -> None:
         try:
             node = trial.start_with_files(lamp(name), {'lamp.yaml': trial.work}, '--params-file', 'lamp.yaml')
@@ -234,4 +234,4 @@ for each in LAMP:
     require_lamp(each)
 
 
-EXERCISES = (order, write, foresee)
+EXERCISES = (light, write, foresee)

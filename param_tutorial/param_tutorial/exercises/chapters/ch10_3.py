@@ -1,4 +1,4 @@
-"""Exercises of chapter 10.3: order a change of gains, tune a PID controller, and write the parameter file of two
+"""Exercises of chapter 10.3: change two gains at once, tune a PID controller, and write the parameter file of two
 controllers."""
 
 import contextlib
@@ -239,9 +239,9 @@ def anywhere(trial: Trial) -> None:
                    'it gets others' if found else 'the file does not reach it')
 
 
-order = Exercise('10.3a', 'Put a change in order', CHAPTER, TEXT, hints=(
-    'A name has to exist before a line can use it. Which two lines use no name from another line?',
-    'The dictionary needs `group`, and the last line needs the client and the dictionary.'))
+change = Exercise('10.3a', 'Change two gains at once', CHAPTER, TEXT, hints=(
+    'The gains of a joint have long names: `gains.wheel_joint.p`. Which request takes several parameters as one?',
+    "`client = ParameterClient('/wheel_controller')`, and then `client.set_parameters_atomically({...})`."))
 
 
 class Noting(PidControllerNode):
@@ -257,7 +257,7 @@ class Noting(PidControllerNode):
         return SetParametersResult(successful=True)
 
 
-def ordered(trial: Trial) -> Noting:
+def changed(trial: Trial) -> Noting:
     """Run the learner's lines beside a controller.
 
     :raises NoUse: they do not run to their end, or change nothing.
@@ -272,9 +272,9 @@ def ordered(trial: Trial) -> Noting:
 
 def require_gain(letter: str, value: float) -> None:
     """Add the requirement that the controller holds a gain."""
-    @order.require(f'the controller holds a gain `{letter}` of {value}', see=TOGETHER)
+    @change.require(f'the controller holds a gain `{letter}` of {value}', see=TOGETHER)
     def holds(trial: Trial) -> None:
-        found = ordered(trial).get_parameter(f'gains.wheel_joint.{letter}').value
+        found = changed(trial).get_parameter(f'gains.wheel_joint.{letter}').value
         expect(values.same(found, value), f'`{value}`', f'it is `{found!r}`')
 
 
@@ -282,10 +282,10 @@ require_gain('p', 0.3)
 require_gain('d', 0.02)
 
 
-@order.require('all gains came in one request', see=TOGETHER)
+@change.require('all gains came in one request', see=TOGETHER)
 def together(trial: Trial) -> None:
-    count = len(ordered(trial).requests)
+    count = len(changed(trial).requests)
     expect(count == 1, 'one request', f'there were {count}')
 
 
-EXERCISES = (order, tune, write)
+EXERCISES = (change, tune, write)
