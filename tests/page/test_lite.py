@@ -13,14 +13,18 @@ import pytest
 
 from param_tutorial.exercises import PREDICTIONS
 from param_tutorial.site.browser import lite
+from param_tutorial.site.build import Site
 from param_tutorial.site.live.running import EXPLAINED, differing_cells
-from tests.support import lab, missing
+from tests.support import lab, lesson, missing
 from tests.support.firefox import FIREFOX, firefox
 from tests.support.lab import chromium
 from tests.support.paths import ROOT
 from tests.support.server import Server
 
-pytestmark = [pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
+# Sphinx and its extensions tell each other, in each release, what the next one will bring.
+pytestmark = [
+    pytest.mark.thorough, pytest.mark.timeout(600),  # each wait may take lab.TIMEOUT_SEC
+    *(pytest.mark.filterwarnings(f'ignore::{kind}Warning') for kind in ('Deprecation', 'PendingDeprecation'))]
 
 # Before JupyterLab finds a picture among the reader's files, the browser asks for it beside the page. And the browser
 # names each request that the policy forbids; the tests make some to this machine, and none may go to another one.
@@ -171,7 +175,7 @@ def in_chromium(_folder):
     if lab.CHROMIUM is None:
         missing.skip('there is no Chromium on the PATH: apt-get install chromium-headless-shell')
     with chromium() as browser:
-        yield ChromiumPage(browser.new_page(viewport={'width': 1280, 'height': 800}))
+        yield ChromiumPage(browser.new_context(viewport={'width': 1280, 'height': 800}).new_page())
 
 
 @contextlib.contextmanager
@@ -308,3 +312,93 @@ def go_on(visit):
     assert list(progress['solved']) == [EXERCISE]
     assert {number: each['right'] for number, each in progress['predicted'].items()} == {PREDICTION: True}
     assert '| 1 1/3 | [What parameters are]' in visit.read('index.md')
+
+
+DRIVER = 'ros2_ws/src/my_robot/my_robot/driver_node.py'
+WRITTEN = 'print("5 °")'
+SETTING = f'import asyncio\nfrom pathlib import Path\n\ndriver = Path({DRIVER!r})'
+WRITE = f'driver.parent.mkdir(parents=True, exist_ok=True)\nlength = driver.write_text({WRITTEN!r})'
+READ = "for path in sorted(Path('ros2_ws').rglob('*.py')):\n    print(path.name, path.read_text())"
+# What JupyterLab's drive has, by the paths of the files.
+KEPT = """new Promise(resolve => {
+    indexedDB.open('JupyterLite Storage - /lite/').onsuccess = ({target: {result: database}}) => {
+        const asking = database.transaction('files').objectStore('files').getAll();
+        asking.onsuccess = () => resolve(Object.fromEntries(asking.result.filter(
+            each => each.type === 'file').map(each => [each.path, atob(each.content)])));
+        database.close();
+    };
+})"""
+
+
+@pytest.fixture(scope='module')
+def lessons(built, tmp_path_factory):
+    """Return the folder of a site of two lessons and JupyterLab."""
+    folder = tmp_path_factory.mktemp('lessons')
+    (folder / 'notebooks').mkdir()
+    (folder / 'notebooks' / 'index.md').write_text('# Start\n\n[Write](3_write.ipynb)\n\n[Read](4_read.ipynb)\n')
+    lesson.write(folder / 'notebooks' / '3_write.ipynb', ('# 3 · Write', SETTING, 'It writes:', WRITE))
+    lesson.write(folder / 'notebooks' / '4_read.ipynb', ('# 4 · Read', SETTING, 'It reads:', READ))
+    site = Site(folder / 'notebooks', folder / 'html', folder / 'work')
+    site.build()
+    (site.target / 'lite').symlink_to(built)
+    return site.target
+
+
+def run_in_lesson(page, code):
+    """Run a cell of a lesson, and return what it puts out."""
+    cell = f'[...document.querySelectorAll("div.cell")].find(each => each.innerText.includes({json.dumps(code)}))'
+    page.wait_for(f'{cell}?.querySelector(".live-button")')
+    page.evaluate(f'void ({cell}.querySelector(".live-button").id = "run")')
+    page.click('#run')
+    page.wait_for('document.documentElement.dataset.node === "awake" && !document.querySelector("[aria-busy]")')
+    return page.evaluate('document.querySelector(".cell:has(#run)").querySelector(".cell_output")?.innerText')
+
+
+def write_in_lesson(page, code):
+    """Run code in place of a lesson's last cell, and don't wait."""
+    cell = page._page.locator('div.cell').last
+    cell.get_by_role('button', name='Edit the code of this cell').click()
+    cell.get_by_role('textbox', name='The code of this cell').fill(code)
+    cell.get_by_role('button', name='Run this cell').click()
+
+
+def wait_until_kept(page, content, path=DRIVER):
+    lab.wait_for(lambda: page.evaluate(KEPT).get(path) == content, f'the browser to keep {content!r}')
+
+
+@pytest.mark.parametrize('browser', [in_chromium, in_firefox])
+def test_lessons_and_jupyterlab_have_one_package_of_the_reader(browser, lessons, tmp_path):
+    with Server(lessons) as site, browser(tmp_path) as page:
+        page.open(f'{site.url}/3_write.html')
+        run_in_lesson(page, 'length =')
+        wait_until_kept(page, WRITTEN.encode().decode('latin-1'))
+        page.open(f'{site.url}/4_read.html')
+        assert run_in_lesson(page, 'rglob').strip() == f'driver_node.py {WRITTEN}'
+        visit = Visit(page, site)
+        visit.load(f'lite/lab/index.html?path={UNTOUCHED}')
+        visit.wait_for_kernel(UNTOUCHED)
+        assert visit.read(DRIVER) == WRITTEN
+        assert visit.ask(f'from pathlib import Path\nprint(Path({DRIVER!r}).read_text())') == WRITTEN
+        visit.ask(f"Path({DRIVER!r}).with_name('tuner_node.py').write_text('of Lab')")
+        page.evaluate(f'jupyterapp.serviceManager.contents.save({json.dumps(DRIVER)}, '
+                      '{type: "file", format: "text", content: "Lab’s"}).then(() => null)')
+        page.open(f'{site.url}/4_read.html')
+        assert run_in_lesson(page, 'rglob').split('\n') == ['driver_node.py Lab’s', 'tuner_node.py of Lab', '']
+
+
+def test_a_page_loses_no_file_of_the_reader(lessons, tmp_path):
+    with Server(lessons) as site, in_chromium(tmp_path) as page:
+        other = ChromiumPage(page._page.context.new_page())
+        for each in (page, other):
+            each.open(f'{site.url}/3_write.html')
+            run_in_lesson(each, 'length =')
+        # Also what a callback writes after its cell, and what a cell writes that never ends.
+        write_in_lesson(page, "later = asyncio.get_running_loop().call_later(0.5, driver.write_text, 'first')")
+        wait_until_kept(page, 'first')
+        write_in_lesson(other, "driver.write_text('second')\nwhile True:\n    pass")
+        wait_until_kept(page, 'second')
+        page.open(f'{site.url}/4_read.html')
+        assert run_in_lesson(page, 'rglob').split('\n') == ['driver_node.py first', 'driver_node.py second', '']
+        write_in_lesson(page, 'driver.unlink()')
+        wait_until_kept(page, None)
+        assert sorted(page.evaluate(KEPT).values()) == ['first', 'second']

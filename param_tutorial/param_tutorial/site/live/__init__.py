@@ -35,5 +35,7 @@ the predictions, which use others, are forms of the page.
 
 **What the reader types is kept** in the browser (``kept_code.js``), and so is what is solved and predicted
 (``scripts/progress.js``); the kernel gets that as the file that the course keeps in a checkout. Values that are set are
-gone when the page is loaded again, as they are when a notebook's kernel restarts.
+gone when the page is loaded again, as they are when a notebook's kernel restarts. The files of the reader's own package
+are those of JupyterLab in the browser: the worker tells of each change at once (``followed_files.js``), and the page
+writes it into the records of JupyterLite's drive, where every kernel that starts later finds it (``kept_files.js``).
 """

@@ -7,6 +7,7 @@ import {all, make, one} from '../../../param_tools/panel/dom.js';
 import {answerTo, keepAnswer, progressFile} from '../scripts/progress.js';
 import {reachPictures, wrapSentences} from '../scripts/wide.js';
 import {keepCode, keptCode} from './kept_code.js';
+import {keepFiles, keptFiles} from './kept_files.js';
 import {digest, WIDGET} from './kernel.js';
 import {Output} from './outputs.js';
 import {View} from './widgets.js';
@@ -143,7 +144,8 @@ export class Page {
       this.die(String(error));
       return;
     }
-    this.worker.postMessage({python: /** @type {any} */ (self).lessonPython, progress: progressFile()});
+    const files = await keptFiles();
+    this.worker.postMessage({python: /** @type {any} */ (self).lessonPython, progress: progressFile(), files});
     delete (/** @type {any} */ (self).lessonPython);
   }
 
@@ -218,6 +220,7 @@ export class Page {
     if (said.is === 'begin') this.timer = setTimeout(() => this.offerStop(), PATIENCE_MS);
     if (said.is === 'widget') this.hearOfWidget(said);
     else if (said.is === 'update') this.replace(said);
+    else if (said.is === 'files') keepFiles(said.changes);
     else if (said.is === 'solved') this.keepSolved(said.numbers);
     else if (said.is === 'begin' || said.is === 'clear') cell?.clear();
     else if (cell && said.is === 'output') this.hearOutput(cell, said.output);

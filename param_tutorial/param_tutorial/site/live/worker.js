@@ -3,6 +3,7 @@
    Nothing is fetched: a page on a disk may not, and a page on the web must not, since it runs what its reader typed. */
 
 import {XzReadableStream} from 'xz-decompress';
+import {followFiles} from './followed_files.js';
 import {filesIn, install, Kernel, PROGRESS} from './kernel.js';
 
 const worker = /** @type {any} */ (self);
@@ -49,8 +50,9 @@ async function load(code) {
 /**
  * @param {string} packed Pyodide and the packages.
  * @param {string} progress What the browser has kept, as the course writes it into a file.
+ * @param {import('./followed_files.js').Files} files Of the reader.
  */
-async function begin(packed, progress) {
+async function begin(packed, progress, files) {
   // Pyodide asks by this whether the worker is a classic one, which it rejects; all that it needs works in one, too.
   worker.importScripts = () => {
     throw new TypeError('this page loads no scripts');
@@ -75,6 +77,7 @@ async function begin(packed, progress) {
   worker.fetch = fetchOfBrowser;
   install(python, part.packages);
   python.FS.writeFile(PROGRESS, progress);
+  look = followFiles(python.FS, files, changes => worker.postMessage({is: 'files', changes}));
   return new Kernel(python, said => worker.postMessage(said));
 }
 
@@ -89,14 +92,15 @@ kernel.then(
   () => worker.postMessage({is: 'ready'}),
   error => worker.postMessage({is: 'dead', why: String(error?.stack ?? error)}),
 );
+let look = () => {};
 // What the page asks for is done in that order.
 let before = Promise.resolve();
 
 worker.onmessage = (/** @type {MessageEvent} */ {data}) => {
   if (data.python) {
-    arrive(begin(data.python, data.progress));
+    arrive(begin(data.python, data.progress, data.files));
   } else if (data.run) {
-    before = before.then(async () => (await kernel).run(data.run, data.code));
+    before = before.then(async () => (await kernel).run(data.run, data.code)).then(() => look());
   } else {
     before = before.then(async () => (await kernel).tell(data.widget, data.data));
   }

@@ -83,7 +83,8 @@ export function keepAnswer(number, text, right) {
   keep({...answers, [number]: {text, right, at: localTime(), times}});
 }
 
-function localTime() {
+/** Return the time as ISO 8601 has it, in whole seconds. */
+export function localTime() {
   const now = new Date();
   return new Date(now.getTime() - 60_000 * now.getTimezoneOffset()).toISOString().slice(0, 19);
 }
