@@ -19,7 +19,7 @@ setup(
     name=PACKAGE,
     version=VERSION,
     packages=find_packages(include=['param_t*']),
-    package_data={'': ['**/*.css', '**/*.js', '**/*.xml', '**/*.txt', 'py.typed']},
+    package_data={'': ['**/*.css', '**/*.js', '**/*.xml', '**/*.txt', 'steps/**/*', 'py.typed']},
     data_files=[
         ('share/ament_index/resource_index/packages', [f'resource/{PACKAGE}']),
         (f'share/{PACKAGE}', ['package.xml']),

@@ -8,6 +8,7 @@ downward only (README.md one folder up says what each room is for, and a test ho
     site
     teacher
     exercises
+    package
     notebook
     views
     learner
@@ -28,5 +29,6 @@ with lazy.Imports(__name__) as _imports:
     from param_tutorial.notebook.magics import load_ipython_extension as load_ipython_extension
     from param_tutorial.notebook.shell import Shell as Shell
     from param_tutorial.notebook.terminal import Terminal as Terminal
+    from param_tutorial.package.package import Package as Package
     from param_tutorial.views.drawing import ros1 as ros1
 __getattr__, __dir__, __all__ = _imports.load, _imports.names, _imports.public

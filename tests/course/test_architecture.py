@@ -12,7 +12,8 @@ from tests.support.paths import NOTEBOOKS, PACKAGE, ROS_PACKAGE, TOOLS
 
 README = (ROS_PACKAGE / 'README.md').read_text()
 FILES = {'.'.join(path.relative_to(ROS_PACKAGE).with_suffix('').parts).removesuffix('.__init__'): path
-         for package in (TOOLS, PACKAGE) for path in sorted(package.rglob('*.py'))}
+         for package in (TOOLS, PACKAGE) for path in sorted(package.rglob('*.py'))
+         if 'steps' not in path.parts}  # the reader's package: files to copy
 # The facades import what a name needs when the name is first used, and stand above every room of their package.
 FACADES = ('param_tools', 'param_tutorial')
 ABOVE = (*FACADES, 'param_tools.__main__', 'param_tutorial.__main__')

@@ -9,6 +9,7 @@ from pathlib import Path
 import nbformat
 
 from param_tutorial.exercises import EXERCISES
+from param_tutorial.learner.package_files import PackageFiles, steps
 from tests.support.paths import NOTEBOOKS
 
 # Where the programs are written, and what the cells have made: their own folders go with the last reference to them.
@@ -48,19 +49,36 @@ def answer(number, source, kind):
     for each in notebook(number, 'solutions' if kind == 'solution' else ''):
         if each.id == cell(number, kind).id:
             break
-        if each.id.startswith(f'{kind}-'):
+        if each.id.startswith(f'{kind}-') and each.id.removeprefix(f'{kind}-') not in steps():
             exec(each.source, space)
     exec(source, space)
     name = re.fullmatch(rf"exercises\.check\('{number}', (\w+)\)", cell(number, 'check').source).group(1)
     return space[name]
 
 
+def package(step, *replacements):
+    """Return the package as it stands after a step, with some of the words of its programs replaced by others."""
+    files = PackageFiles(Path(tempfile.mkdtemp(dir=_PROGRAMS.name)))
+    files.lay_out(step)
+    programs = sorted(files.root.glob('my_robot/*_node.py'))
+    for old, new in replacements:
+        path = next((each for each in programs if old in each.read_text()), None)
+        assert path, f'step {step} has changed: {old!r} is not in it'
+        path.write_text(path.read_text().replace(old, new))
+    return files
+
+
 def blank(number):
+    """Return what an exercise begins with."""
+    if number in steps():
+        return package(steps()[steps().index(number) - 1])
     return answer(number, cell(number, 'exercise').source, 'exercise')
 
 
 def solution(number, *replacements):
     """Return a solution, with some of its words replaced by others."""
+    if number in steps():
+        return package(number, *replacements)
     source = cell(number, 'solution').source
     for old, new in replacements:
         assert old in source, f'the solution of {number} has changed: {old!r} is not in it'

@@ -12,6 +12,7 @@ that tries it out. Stubs stand in the chapters, solutions in ``notebooks/solutio
     chapters        the exercises
     exercise        what an exercise is, and how its check runs
     trial           a corner of the stage for the learner's nodes, cleared afterwards
+    steps           the reader's own package as an answer: its driver, and what that tells the robot's base
     programs        a whole program as an answer: a process that is asked, and ended by signals
     results         the answer, as text and as HTML
     questions       the predictions and recalls, as data
@@ -39,6 +40,7 @@ from param_tutorial.exercises.predicting import PredictionView
 from param_tutorial.exercises.prediction import Prediction
 from param_tutorial.exercises.results import Answer, Result
 from param_tutorial.learner import ticks
+from param_tutorial.learner.package_files import passed
 from param_tutorial.learner.progress import own_progress
 
 
@@ -75,6 +77,8 @@ def check(number: str = '', work: Any = _FORGOTTEN) -> Answer:
     if work is _FORGOTTEN:
         return exercise.without_work()
     result = exercise.check(work)
+    if result.done:
+        passed.add(exercise.number)
     file = own_progress()
     if file is None:
         return result

@@ -35,6 +35,8 @@ class Kind(NamedTuple):
     fits: Callable[[Any], bool]
     example: str
     """What it may be called."""
+    open: Callable[[Any], Any] = lambda work: work
+    """Returns what the requirements try out; raises NoUse if there is nothing."""
 
 
 # What the course itself has derived from Node is not the learner's work.
@@ -153,7 +155,11 @@ class Exercise:
         picture = ''
         try:
             with no_input.forbidden(error_if_asked), borrowed_stage() as ros:
-                trial = Trial(ros, work)
+                try:
+                    trial = Trial(ros, self.takes.open(work))
+                except NoUse as error:
+                    return self._result([_finding(self.requirements[0], error),
+                                         *(Finding(each.sentence, None) for each in self.requirements[1:])])
                 for requirement in self.requirements:
                     try:
                         findings.append(_try_out(requirement, trial))

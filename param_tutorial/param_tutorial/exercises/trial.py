@@ -34,6 +34,7 @@ from param_tools.ros import interrupts, stage
 from param_tools.ros.executor import BackgroundExecutor, Failure
 from param_tools.ros.service_types import SERVICE_TYPES
 from param_tools.ros.waiting import deadline, wait, wait_until
+from param_tutorial.package.loading import READERS
 
 NodeT = TypeVar('NodeT', bound=Node)
 
@@ -410,6 +411,6 @@ def describe_error(error: BaseException) -> str:
     words = f'{type(error).__name__}: {said}' if said else type(error).__name__
     line = ''
     for frame, number in traceback.walk_tb(error.__traceback__):
-        if frame.f_globals.get('__name__') == '__main__':
+        if frame.f_globals.get('__name__') == '__main__' or READERS in frame.f_globals:
             line = linecache.getline(frame.f_code.co_filename, number, frame.f_globals).strip() or line
     return words + (f', in the line `{line}`' if line else '')

@@ -1,4 +1,4 @@
-"""Exercises of chapter 3: fill in defaults, declare parameters, mend declarations, and write a whole program."""
+"""Exercises of chapter 3: the driver declares, drives, and becomes a program; and a rover to declare."""
 
 from typing import Any
 
@@ -6,27 +6,25 @@ from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 
 from param_tools.node.client import ParameterClient
-from param_tools.values import BOOL, DOUBLE, INTEGER, STRING, ParameterType
+from param_tools.values import DOUBLE, INTEGER, ParameterType
 from param_tutorial.exercises.exercise import NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import (
-    expect_answers,
     expect_declared,
     expect_fixed_type,
-    expect_range,
     expect_range_fields,
     expect_result,
     expect_start_value,
-    take_type_for_granted,
 )
-from param_tutorial.exercises.programs import PROGRAM, require_ends, require_program, running
-from param_tutorial.exercises.trial import NoStart, NotTried, Trial, expect
+from param_tutorial.exercises.programs import require_ends, require_program, running
+from param_tutorial.exercises.steps import DRIVER, DRIVER_PROGRAM, Bench, expect_commands, expect_speed
+from param_tutorial.exercises.trial import NoStart, NotTried, Trial, cleared, expect, take_for_granted
 
 CHAPTER = '03_declaring'
-TYPE = 'Build it: one declaration, one type'
-DESCRIPTOR = 'Build it: the descriptor'
-WHO_DECIDES = 'Who decides the type?'
-WHOLE = 'From a class to a command'
-STAGE = 'What the stage does for you'
+OWN = 'A node of your own'
+TYPE = 'One default, one type'
+DESCRIPTOR = 'Limits'
+DRIVE = 'Let it drive'
+WHOLE = 'From a class to a program'
 PUT_BACK = 'the node accepted it, and put the value back only afterward'
 
 
@@ -94,7 +92,7 @@ def _what_limits(descriptor: ParameterDescriptor) -> str:
 
 declare = Exercise('3b', 'Declare a rover', CHAPTER, NODE_CLASS, node_name='rover', hints=(
     'Each parameter takes one line `self.declare_parameter(name, default, descriptor)`, and the default decides its '
-    'type. The section “Build it: one declaration, one type” shows the first two arguments.',
+    'type. The section “One default, one type” shows the first two arguments.',
     'In Python `1` is an `int` and `1.0` a `float`. A double takes its range from a `FloatingPointRange`, in a list: '
     '`ParameterDescriptor(floating_point_range=[...])`. Both ends of it are floats, too.',
     'The descriptor has a field `read_only`. It is `False` unless you write `read_only=True`.'))
@@ -128,104 +126,75 @@ def wheels_locked(trial: Trial) -> None:
         expect(other not in held, f'`wheels = {other}` is rejected', PUT_BACK)
 
 
-mend = Exercise('3c', 'Mend a lamp', CHAPTER, NODE_CLASS, node_name='lamp', hints=(
-    'Ask the lamp as it is: `ParameterClient(ros.add(Lamp)).describe_parameters()` shows the type of each parameter.',
-    'A descriptor cannot choose a type, and a description limits nothing. The default decides the type, and a range '
-    'sets the limits.',
-    'You can give the type in place of the default: `Parameter.Type.DOUBLE`. The parameter then has no value yet.'))
+steps = Exercise('3a', 'The first line of your driver', CHAPTER, DRIVER, node_name='driver', hints=(
+    'The file needs three things: `from rclpy.node import Node`, a class derived from `Node`, and in its `__init__` '
+    'the call `super().__init__(...)` with the name of the node.',
+    'A declaration is `self.declare_parameter(name, default)`, below the call of `super().__init__`. The default '
+    'decides the type: a double has a dot.'))
 
 
-@mend.require('`brightness_percent` is a double that starts at 50.0, and it accepts halves', see=WHO_DECIDES)
-def halves(trial: Trial) -> None:
-    expect_start(trial, 'brightness_percent', DOUBLE, 50.0)
-    _, client = start_with(trial, 'brightness_percent', DOUBLE)
-    for half in (62.5, 0.5):
-        expect_result(client, 'brightness_percent', half, 'accepted')
+@steps.require('`driver_node.py` makes a node called `driver`', see=OWN)
+def is_called_driver(trial: Trial) -> None:
+    trial.client(trial.start())
 
 
-@mend.require('`brightness_percent` can be 0.0 to 100.0, both ends included, and nothing below or above',
-              see=DESCRIPTOR)
-def percent(trial: Trial) -> None:
-    expect_limits(trial, 'brightness_percent', 0.0, 100.0)
+@steps.require('`max_speed_mps` is a double, and it starts at 0.5', see=OWN)
+def has_speed(trial: Trial) -> None:
+    expect_start(trial, 'max_speed_mps', DOUBLE, 0.5)
 
 
-@mend.require('`warm_white` is a boolean, and it is on', see=TYPE)
-def warm_white(trial: Trial) -> None:
-    expect_start(trial, 'warm_white', BOOL, True)
-    _, client = start_with(trial, 'warm_white', BOOL)
-    for switched in (False, True):
-        expect_result(client, 'warm_white', switched, 'accepted')
+drives = Exercise('3c', 'It drives', CHAPTER, DRIVER, node_name='driver', hints=(
+    'Three lines in `__init__`: `self.speed_mps = self.get_parameter(...).value`, a publisher that is kept in `self`, '
+    'and a timer. All of them come after the declaration.',
+    'The timer calls a method of the class, `self.create_timer(0.1, self.drive)`. The method makes a `Twist`, sets its '
+    '`linear.x`, and gives it to `publish` of the publisher.',
+    'The limits go into the declaration, as in the rover: a descriptor with `floating_point_range=[...]`.'))
 
 
-@mend.require('`calibration` is a double that has no value until somebody sets one', see=WHO_DECIDES)
-def calibration(trial: Trial) -> None:
-    expect_start(trial, 'calibration', DOUBLE, None)
-    _, client = start_with(trial, 'calibration', DOUBLE)
-    for value in (0.98, -12.5):
-        expect_result(client, 'calibration', value, 'accepted')
+def start_on_bench(trial: Trial, *words: str) -> tuple[Node, Bench]:
+    """Start the learner's driver beside a bench."""
+    bench = trial.start(Bench)
+    return trial.start(ros_args=words), bench
 
 
-fill = Exercise('3a', 'Fill three gaps', CHAPTER, NODE_CLASS, node_name='door', hints=(
-    'The default decides the type: how does Python write an integer, a float, and a string?',
-    'A double needs its dot, and a string its quotes: without them, 7 is a number.'))
+@drives.require('it publishes a `Twist` on `cmd_vel`, again and again', see=DRIVE)
+def publishes(trial: Trial) -> None:
+    _, bench = start_on_bench(trial)
+    expect_commands(trial, bench)
 
 
-def require_gap(name: str, wanted: ParameterType, value: object) -> None:
-    """Add the requirement that a parameter of the door is declared."""
-    article = 'an' if wanted is INTEGER else 'a'
-
-    @fill.require(f'`{name}` is {article} {wanted.label}, and it is `{value!r}`', see=TYPE)
-    def is_declared(trial: Trial) -> None:
-        expect_start(trial, name, wanted, value)
-
-
-require_gap('max_angle_deg', INTEGER, 90)
-require_gap('speed_dps', DOUBLE, 30.0)
-require_gap('label', STRING, '7')
+@drives.require('the command is the speed with which the node has started', see=DRIVE)
+def commands_speed(trial: Trial) -> None:
+    take_for_granted(trial, publishes)
+    for speed_mps in (0.5, 1.25):
+        with cleared(trial.ros):
+            words = () if speed_mps == 0.5 else ('-p', f'max_speed_mps:={speed_mps}')
+            _, bench = start_on_bench(trial, *words)
+            expect_commands(trial, bench)
+            expect_speed(trial, bench, speed_mps, f'after a start with `max_speed_mps = {speed_mps}`')
 
 
-KETTLE = '3d · A kettle from an empty file'
-program = Exercise('3d', 'A kettle from an empty file', CHAPTER, PROGRAM, node_name='kettle', hints=(
-    'Four parts, from top to bottom: imports, the class, `def main():`, and two last lines that begin with '
-    "`if __name__ == '__main__':` and call `main()`. The class is like the rover of 3b.",
-    '`main` calls `rclpy.init()`, and then `rclpy.spin(Kettle())`, which returns only when something ends the program. '
-    "A line in the log is `self.get_logger().info(f'...')`.",
+@drives.require('`max_speed_mps` can be anything from 0.0 to 2.0, and nothing else', see=DESCRIPTOR)
+def has_limits(trial: Trial) -> None:
+    expect_limits(trial, 'max_speed_mps', 0.0, 2.0, 0.01, 1.37)
+
+
+program = Exercise('3d', 'A program', CHAPTER, DRIVER_PROGRAM, node_name='driver', hints=(
+    "Below the class: `def main():`, and two last lines. The first is `if __name__ == '__main__':`, and the second "
+    'calls `main()`.',
+    '`main` calls `rclpy.init()`, and then `rclpy.spin(Driver())`, which returns only when something ends the program.',
     'Both lines of `main` stand in a `try:`. After it comes `except (KeyboardInterrupt, ExternalShutdownException):`, '
     'with a `pass`. `ExternalShutdownException` is in `rclpy.executors`.'))
-require_program(program, 'kettle_node.py', STAGE)
+require_program(program, 'driver_node.py', WHOLE)
 
 
-@program.require('`target_c` is a double, starts at 80.0, and has a range from 20.0 to 100.0', see=DESCRIPTOR)
-def target(trial: Trial) -> None:
-    with running(trial, program) as kettle:
-        client = trial.client(kettle.node)
-        expect_start_value(client, 'target_c', DOUBLE, 80.0)
-        expect_answers(client, 'target_c', 'accepted', 20.0, 100.0, 37.5)
-        expect_answers(client, 'target_c', 'out of range', 19.9, 100.1, because=_NO_LIMIT)
-        expect_range(client, 'target_c', 20.0, 100.0)
-        expect_fixed_type(client, 'target_c')
-
-
-_NO_LIMIT = 'A `FloatingPointRange` limits a double'
-
-
-@program.require('`model` is a string, `K-1`, and nobody can change it', see=DESCRIPTOR)
-def model(trial: Trial) -> None:
-    with running(trial, program) as kettle:
-        client = trial.client(kettle.node)
-        expect_start_value(client, 'model', STRING, 'K-1')
-        expect_result(client, 'model', 'K-2', 'read only', 'The field `read_only` of the descriptor makes it so')
-
-
-@program.require('it logs the temperature that it starts with', see=KETTLE)
-def logs_target(trial: Trial) -> None:
-    for words, value in (('', '80.0'), ('-p target_c:=95.5', '95.5')):
-        with running(trial, program, words) as kettle:
-            take_type_for_granted(trial.client(kettle.node), DOUBLE, 'target_c')
-            kettle.expect_line(value, f'after a start with `{words}`' if words else 'after its start')
+@program.require('it takes `-p max_speed_mps:=1.5`', see=WHOLE)
+def takes_override(trial: Trial) -> None:
+    with running(trial, program, '-p max_speed_mps:=1.5') as driver:
+        expect_start_value(trial.client(driver.node), 'max_speed_mps', DOUBLE, 1.5)
 
 
 require_ends(program, WHOLE)
 
 
-EXERCISES = (fill, declare, mend, program)
+EXERCISES = (steps, declare, drives, program)

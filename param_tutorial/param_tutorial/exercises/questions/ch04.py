@@ -10,7 +10,7 @@ RECALLS = (
               'for a double.'),
         right('integer', 'The default decides the type, and `1` is an `int`.'),
         wrong('none yet', 'The declaration fixes the type at once: it is the type of the default.')),
-           chapter='3', section='Build it: one declaration, one type'),
+           chapter='3', section='One default, one type'),
     Recall('4-r2', 'Two robots run the same program, each under its own name. You set the speed of the first to 150. '
            'What does the second do?', (
         wrong('It drives at 150 too', 'The program is the same, but each node has its own parameters.'),

@@ -14,7 +14,7 @@ RECALLS = (
         wrong('It stores the double 1.0', 'An rclpy node does not convert, not even an integer to a double.'),
         wrong('It stores the integer 1', 'The declaration fixed the type. An integer is another type.'),
         right('It rejects the integer 1', 'The node does not convert: an integer is the wrong type for a double.')),
-           chapter='3', section='Build it: one declaration, one type'),
+           chapter='3', section='One default, one type'),
 )
 
 _EIGHT = 'rclpy declares two more: `use_sim_time` and `start_type_description_service`.'

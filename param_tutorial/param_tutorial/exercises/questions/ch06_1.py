@@ -11,7 +11,7 @@ RECALLS = (
         wrong('It rejects the value', 'A description is for people, and rclpy does not read it. A range enforces a '
               'limit, or a callback does.'),
         wrong('It accepts and warns', 'rclpy does not read a description, so it has nothing to warn about.')),
-           chapter='3', section='The node so far'),
+           chapter='3', section='Limits'),
     Recall('6.1-r2', 'One atomic request sets four parameters, and the node rejects one of the values. What happens to '
            'the other three?', (
         wrong('They get their new values', 'That is what `set_parameters` does. An atomic request succeeds as a whole '

@@ -10,7 +10,7 @@ RECALLS = (
         wrong('It returns None instead', 'A node could overlook that. rclpy raises `ParameterNotDeclaredException`.'),
         wrong('It declares that name', 'Only `declare_parameter` declares.'),
         right('It raises an exception', 'rclpy raises `ParameterNotDeclaredException`.')),
-           chapter='3', section='Break it: a name that was never declared'),
+           chapter='3', section='One default, one type'),
     Recall('9.1-r2', 'Two parameter files both have a block for `/robot` and give it another speed. Which speed does '
            'the robot start with?', (
         wrong('that of the first file', 'A later source overwrites an earlier one of the same block.'),

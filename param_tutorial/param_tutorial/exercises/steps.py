@@ -1,0 +1,93 @@
+"""Steps of the reader's own package as answers: the check makes the driver's node in its corner, and is its base."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from geometry_msgs.msg import Twist
+from rclpy.node import Node
+from sensor_msgs.msg import Range
+
+from param_tutorial.exercises.exercise import Kind
+from param_tutorial.exercises.trial import NoUse, Trial, expect
+from param_tutorial.learner.package_files import PackageFiles
+from param_tutorial.package.following import FollowedPackage
+from param_tutorial.package.loading import LoadError, load_node_class
+
+
+def _path(work: FollowedPackage | PackageFiles, name: str) -> Path:
+    files = work.files if isinstance(work, FollowedPackage) else work
+    if not files.text(name).strip():
+        raise NoUse(f'a file `{name}` in your package', 'there is none, or nothing in it')
+    return files.path(name)
+
+
+def _class_in(name: str) -> Callable[[FollowedPackage | PackageFiles], type[Node]]:
+    def load(work: FollowedPackage | PackageFiles) -> type[Node]:
+        path = _path(work, name)
+        try:
+            return load_node_class(path, path.parents[1])
+        except LoadError as error:
+            raise NoUse(f'a class of nodes in `{name}`', str(error)) from None
+    return load
+
+
+def _is_package(work: Any) -> bool:
+    return isinstance(work, (FollowedPackage, PackageFiles))
+
+
+DRIVER = Kind('your package, as `Package(...)` has returned it', _is_package, 'package', _class_in('driver_node.py'))
+"""The class of nodes in the reader's driver."""
+DRIVER_PROGRAM = DRIVER._replace(open=lambda work: _path(work, 'driver_node.py'))
+"""The file itself, as a program."""
+
+
+class Bench(Node):
+    """Stands in for the base of the reader's robot: hears what the driver commands, and tells it a distance."""
+
+    def __init__(self) -> None:
+        super().__init__('bench')
+        self.speeds_mps: list[float] = []
+        """All that was commanded, oldest first."""
+        self._distance_m: float | None = None
+        self.create_subscription(Twist, 'cmd_vel', lambda command: self.speeds_mps.append(command.linear.x), 10)
+        self._distances = self.create_publisher(Range, 'distance', 10)
+        self.create_timer(0.05, self._tell)
+
+    def measure(self, distance_m: float) -> None:
+        """Tell the driver this distance from now on, again and again, as a sensor does."""
+        self._distance_m = distance_m
+
+    def _tell(self) -> None:
+        if self._distance_m is not None:
+            self._distances.publish(Range(range=self._distance_m, max_range=50.0))
+
+
+def expect_commands(trial: Trial, bench: Bench) -> None:
+    """Expect the driver to publish commands, again and again."""
+    expected = 'a `Twist` on `cmd_vel`, again and again'
+    node = next(each for each in trial.ros.nodes if isinstance(each, trial.work))
+    topics = {each.topic_name.rpartition('/')[2] for each in node.publishers} - {'rosout', 'parameter_events'}
+    expect('cmd_vel' in topics, expected, 'it publishes on ' + ', '.join(f'`{each}`' for each in sorted(topics))
+           if topics else 'it has no publisher')
+    before = len(bench.speeds_mps)
+    trial.wait(lambda: len(bench.speeds_mps) >= before + 3, expected,
+               lambda: 'it has the publisher, and hardly uses it. Does a timer call the method that publishes?')
+
+
+def expect_speed(trial: Trial, bench: Bench, speed_mps: float, when: str) -> None:
+    """Expect the driver to command a speed, and to stay with it."""
+    expected = f'`linear.x` is {speed_mps!r} {when}'
+    before = len(bench.speeds_mps)
+
+    def is_commanded() -> bool:
+        last = bench.speeds_mps[before:][-2:]
+        return len(last) == 2 and all(abs(each - speed_mps) < 1e-6 for each in last)
+
+    def happened() -> str:
+        if not bench.speeds_mps:
+            return 'nothing is published on `cmd_vel`'
+        found = bench.speeds_mps[-1]
+        return f'it is {found!r}' + ('. Does the node set `linear.x`, and to a float?' if not found else '')
+
+    trial.wait(is_commanded, expected, happened)

@@ -1,0 +1,223 @@
+"""The reader's package on the stage: the robot's base, and the nodes of the files as soon as they are saved."""
+
+import difflib
+import threading
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+from IPython import get_ipython
+from rclpy.node import Node
+
+from param_tools.ros import stage
+from param_tools.ros.executor import Failure
+from param_tools.ros.listeners import Listeners
+from param_tools.ros.schedule import Job
+from param_tutorial.learner.package_files import PackageFiles, last_step_before, our_copy, ours, passed, steps
+from param_tutorial.learner.progress import own_progress
+from param_tutorial.nodes.base_node import BaseNode
+from param_tutorial.package.loading import LoadError, describe, load_node_class, within_limit
+
+# How soon a file is looked at that another program has saved.
+_LOOK_SEC = 0.5
+_open: 'FollowedPackage | None' = None
+
+
+class Status(NamedTuple):
+    """What became of a file, for the reader."""
+
+    words: str
+    is_error: bool = False
+    line: int = 0
+    """Of the reader's file; 0 if it is about no line."""
+
+
+class _Program:
+    """One of the reader's files, and the node that the stage runs for it."""
+
+    def __init__(self, name: str):
+        self.name = name
+        self.seen: str | None = None
+        """The text that was looked at last; None before the first look."""
+        self.node_class: type[Node] | None = None
+        self.node: Node | None = None
+        self.status = Status('')
+        self.failure: Failure | None = None
+
+
+class FollowedPackage:
+    """The reader's package on the stage, for one chapter. Opening it closes the one that was open before."""
+
+    def __init__(self, chapter: str, *names: str):
+        """
+        :param chapter: Its number, such as '3' or '5.2'. The package has at least what the chapters before ask for:
+            files that are missing are ours.
+        :param names: The files whose nodes the stage runs; by default that of the driver.
+        :raises PackageError: a file cannot be written, or there is no such chapter.
+        :raises ExecutorError: the stage has not been started.
+        """
+        global _open
+        if _open is not None:
+            _open.close()
+        self.files = PackageFiles.of_learner()
+        self.root = self.files.root
+        """The folder of the package that the stage runs: the reader's, or a copy of ours."""
+        self._lock = threading.RLock()
+        self._listeners: Listeners[[]] = Listeners()
+        self._step = last_step_before(chapter)
+        self._programs = [_Program(name) for name in names or ('driver_node.py',)]
+        self.files.lay_out(self._step)
+        self.base = stage.current().add(BaseNode)
+        self.need(self._step)
+        self._job = Job(self._look_again, _LOOK_SEC)
+        self._job.wake()
+        if shell := get_ipython():
+            shell.events.register('post_run_cell', self._after_cell)
+        _open = self
+
+    def __repr__(self) -> str:
+        return f'<{type(self).__name__}: {self.files.root.name}>'
+
+    def close(self) -> None:
+        """Follow the files no longer; what is on the stage stays there."""
+        self._job.end()
+        if shell := get_ipython():
+            shell.events.unregister('post_run_cell', self._after_cell)
+
+    # -- what a chapter does with it ---------------------------------------------------------------------
+
+    def need(self, step: str) -> None:
+        """Let the stage run nodes that have passed a step: the reader's if they have, ours if not.
+
+        The reader's files stay as they are, and run as soon as they are saved.
+
+        :raises PackageError: there is no such step.
+        """
+        with self._lock:
+            self._step = step
+            has_passed = self._has_passed()
+            self.root = self.files.root if has_passed else our_copy(step)
+            for program in self._programs:
+                program.seen = self.files.text(program.name)
+                self._run(program)
+                if not has_passed:
+                    program.status = Status(
+                        f'The stage runs our {program.name} as it is after step {step}. Yours has not passed that '
+                        'step; it stays as it is, and runs when you save it.')
+        self._listeners.call()
+
+    def _has_passed(self) -> bool:
+        """True if the reader's package has passed the step, or is ours from after it."""
+        progress = own_progress()
+        solved = passed | set(progress.read()[0].solved if progress else ())
+        later = steps()[steps().index(self._step):]
+        return self._step in solved or any(
+            all(self.files.text(each.name) == ours(step).get(f'{self.files.root.name}/{each.name}', '')
+                for each in self._programs) for step in later)
+
+    def take_ours(self, step: str = '') -> None:
+        """Put ours in the place of the reader's files, which are kept in ``ros2_ws/backups/``, and run it.
+
+        :param step: As it stands after this one; by default after the one that the chapter has come to.
+        :raises PackageError: there is no such step, or a file cannot be written.
+        """
+        kept = self.files.take(step or self._step)
+        self.refresh()
+        print(f'{self.files.root.name} is now ours, as it is after step {step or self._step}.'
+              + (f' Yours is in {kept.relative_to(self.files.backups.parents[1])}.' if kept else ''))
+
+    def save(self, name: str, text: str, base: str | None = None) -> None:
+        """Write one of the files, and run it.
+
+        :param base: The text that was changed, if that may no longer be what is there; see ``PackageFiles.write``.
+        :raises PackageError: it cannot be written; what was there is there still.
+        """
+        self.files.write(name, text, self.files.text(name) if base is None else base)
+        self.refresh(name)
+
+    def changes(self, since: str, name: str = 'driver_node.py') -> None:
+        """Print how a file differs from ours as it was after a step, as ``diff`` does.
+
+        :raises PackageError: there is no such step.
+        """
+        before = ours(since).get(f'{self.files.root.name}/{name}', '').splitlines()
+        now = (self.root / self.files.root.name / name).read_text(encoding='utf-8').splitlines()
+        print('\n'.join(list(difflib.unified_diff(before, now, lineterm='', n=1))[2:]))
+
+    def node(self, name: str = 'driver_node.py') -> Node | None:
+        """Return the node that the stage runs for a file; None if there is none."""
+        return next((each.node for each in self._programs if each.name == name), None)
+
+    def status(self, name: str = 'driver_node.py') -> Status:
+        """Return what became of a file when it was run last."""
+        return next((each.status for each in self._programs if each.name == name), Status(''))
+
+    @property
+    def statuses(self) -> list[Status]:
+        """What became of each file."""
+        return [each.status for each in self._programs]
+
+    def on_change(self, listener: Callable[[], None]) -> Callable[[], None]:
+        """Call a listener when a file or what the stage runs has changed, in any thread.
+
+        :return: Call it to stop listening.
+        """
+        return self._listeners.add(listener)
+
+    # -- following the files -----------------------------------------------------------------------------
+
+    def refresh(self, name: str = '') -> None:
+        """Run the files whose text has changed.
+
+        :param name: One that is to be run in any case.
+        """
+        changed = False
+        with self._lock:
+            for program in self._programs:
+                text = self.files.text(program.name)
+                if text != program.seen or name == program.name:
+                    program.seen, changed, self.root = text, True, self.files.root
+                    self._run(program)
+                changed = self._note_failure(program) or changed
+        if changed:
+            self._listeners.call()
+
+    def _after_cell(self, _result: object) -> None:
+        self.refresh()
+
+    def _look_again(self) -> float:
+        self.refresh()
+        return _LOOK_SEC
+
+    def _run(self, program: _Program) -> None:
+        """Put the node of a file onto the stage, in the place of the one before; if that fails, that one again."""
+        before, path = program.node_class, self.root / self.files.root.name / program.name
+        try:
+            node_class = load_node_class(path, self.root)
+            node = self._add(node_class, path)
+        except LoadError as error:
+            if before is None or program.node in stage.current().nodes:
+                program.status = Status(f'{error} Nothing has changed on the stage.',
+                                        before is not None or error.line > 0, error.line)
+                return
+            node_class, node = before, self._add(before, path)
+            program.status = Status(f'{error} The version before runs again.', True, error.line)
+        else:
+            again = ' It begins with the defaults: what was set before is lost.' if before else ''
+            program.status = Status(f'{program.name} runs as {node.get_fully_qualified_name()}.{again}')
+        program.node_class, program.node = node_class, node
+
+    def _add(self, node_class: type[Node], path: Path) -> Node:
+        return within_limit(lambda: stage.current().add(node_class), path)
+
+    def _note_failure(self, program: _Program) -> bool:
+        """Show what a callback of a node has raised last; return whether that is new."""
+        found = next((each for each in reversed(stage.current().failures)
+                      if each.callback and each.callback.node is program.node), None)
+        if found is program.failure:
+            return False
+        program.failure = found
+        if found:
+            error = describe(found.error, self.root / self.files.root.name / program.name)
+            program.status = Status(f'{found}: {error}', True, error.line)
+        return True
