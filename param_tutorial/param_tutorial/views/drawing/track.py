@@ -94,8 +94,7 @@ class Moment:
         command, speed, distance = self._numbers
         crash = '' if self.crash_speed_mps is None else f'{self.crash_speed_mps:.2f} m/s'
         return {'robot-word': self.word, 'track-command': command, 'track-speed': speed, 'track-distance': distance,
-                'track-gap-words': distance,
-                'track-arrow-words': speed, 'robot-bang-speed': crash}
+                'track-gap-words': distance, 'track-arrow-words': speed, 'robot-bang-speed': crash}
 
 
 def draw_track(moment: Moment) -> str:
