@@ -22,7 +22,7 @@ def test_what_is_solved_has_a_tick_and_a_date(file):
     file.add_prediction('3-2', 'It rejects it', right=False)
     found = exercises.progress('3')
     assert repr(found).splitlines()[0] == (
-        'Chapter 3: 1 of 4 exercises solved, 2 of 7 predictions made, 1 of them right')
+        'Chapter 3: 1 of 4 exercises solved, 2 of 6 predictions made, 1 of them right')
     assert '✓ 3b    Declare a rover  2026-03-04' in repr(found)
     assert '· 3c' in repr(found)
     assert '3-1 ✓ 3-2 ✗ 3-3' in repr(found)
