@@ -52,7 +52,6 @@ _WAYS = [Way('one by one', (50, 60), [('high_c = 10', (50, 10), (50, 60)), ('low
 
 _COPIED = (Move('/a variable', '/a used'), Move('/b parameter', '/b used'))
 _COPIES = ['/a parameter', '/a variable', '/a used', '/b parameter', '/b used']
-_DECLARED = ['from outside', 'declare_parameter', 'the node has']
 
 DIAGRAMS = {
     'calls': draw_calls('this notebook', _CALLS),
@@ -79,14 +78,7 @@ DIAGRAMS = {
     'trail_copies': draw_trail('speed', _COPIES, [
         Moment('so far', '', dict.fromkeys(_COPIES, '100'), _COPIED),
         Moment('set to 150', 'the copy is stale', dict(zip(_COPIES, ('150', '100', '100', '150', '150'), strict=True)),
-               (Move('', '/a parameter'), Move('', '/b parameter'), *_COPIED))]),
-    'trail_declarations': draw_trail('/four_types', _DECLARED, [
-        Moment('name', '', {'declare_parameter': "'Clawbot'", 'the node has': "'Clawbot'"},
-               (Move('declare_parameter', 'the node has'),)),
-        Moment('speed', 'an override', dict(zip(_DECLARED, ('150', '100', '150'), strict=True)),
-               (Move('from outside', 'the node has'),)),
-        Moment('sped', 'an override, never declared', {'from outside': '90'},
-               (Move('from outside', 'the node has', '90', 'ignored'),))])}
+               (Move('', '/a parameter'), Move('', '/b parameter'), *_COPIED))])}
 
 
 def _robot(settings: Settings, motion: Motion, **others) -> Robot:

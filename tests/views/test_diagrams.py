@@ -9,7 +9,6 @@ import param_tutorial
 from param_tools.errors import NodeNotFoundError
 from param_tutorial import ParameterClient, views, wait_until
 from tests.support.widgets import texts
-from tests.views.conftest import Weather
 
 SOME = range(0, 30, 10)
 
@@ -87,19 +86,7 @@ def test_the_ways_in_a_plane_are_those_of_real_requests_and_the_node_has_what_it
     assert ParameterClient(weather).get_parameters(['low_c', 'high_c']) == {'low_c': -5, 'high_c': 40}
 
 
-# -- trails --------------------------------------------------------------------------------------------------
-
-def test_declarations_show_defaults_overrides_and_what_bounces(ros):
-    view = views.DeclarationsView(Weather, {'high_c': 30, 'hihg_c': 20})
-    assert 'low_c: -5 arrives at the node has; declare_parameter -5, the node has -5.' in view.text
-    assert 'high_c: 30 arrives at the node has; from outside 30, declare_parameter 40, the node has 30' in view.text
-    assert 'hihg_c: 20 bounces off the node has (ignored); from outside 20; an override, never declared.' in view.text
-    view.set_parameter('high_c', 35)
-    assert 'set high_c: 35 arrives at the node has' in view.text
-    view.set_parameter('hihg_c', 20)
-    assert 'set hihg_c: 20 bounces off the node has (rejected); from outside 20; undeclared.' in view.text
-    assert ParameterClient('/weather').get_parameter('high_c') == 35
-
+# -- copies --------------------------------------------------------------------------------------------------
 
 class Mover(Node):
     def __init__(self, name):

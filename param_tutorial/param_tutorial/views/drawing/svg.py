@@ -113,12 +113,6 @@ def cross(x: float, y: float, reach: float = 6, kind: str = 'cross') -> str:
                 f'M{x + reach:.1f} {y - reach:.1f}l{-2 * reach} {2 * reach}', kind)
 
 
-def strike(x: float, y: float, text: str) -> str:
-    """Return a line through a text that stands around a place."""
-    half = .55 * LETTER_WIDTH * len(text) + 5
-    return path(f'M{x - half:.1f} {y:.1f}h{2 * half:.1f}', 'thick')
-
-
 def token(text: str, kind: str = 'token') -> str:
     """Return a small tag with a value, around 0, 0."""
     width = token_width(text)

@@ -15,8 +15,6 @@ _HEAD, _ROW, _BOTTOM = 50, 48, 8
 _WORDS_X, _COLUMNS_X, _GAP, _MARGIN = 14, 192, 8, 14
 _WORDS_LETTERS, _NOTE_LETTERS = 20, 28
 _BEGIN_SEC, _READ_SEC, _STAY_SEC = 0.3, 0.6, 0.7
-# How high a road goes over the places that it does not touch.
-_ARC = 18
 # How wide a letter of the headings is.
 _HEAD_LETTER = 9.0
 
@@ -28,10 +26,6 @@ class Move:
     source: str
     """The place that it comes from; empty for from outside."""
     target: str
-    rejected: str = ''
-    """The value that the target does not take; empty if it takes what it holds afterwards."""
-    objection: str = ''
-    """Why the target does not take it."""
 
 
 @dataclass(frozen=True)
@@ -50,8 +44,7 @@ class Moment:
     def text(self) -> str:
         """The moment in words."""
         parts = [f'{name} {value}' for name, value in self.values.items()]
-        moves = [f'{move.rejected} bounces off {move.target} ({move.objection})' if move.rejected
-                 else f'{self.values[move.target]} arrives at {move.target}' for move in self.moves]
+        moves = [f'{self.values[move.target]} arrives at {move.target}' for move in self.moves]
         return f'{self.words}: ' + '; '.join(filter(None, [', '.join(moves), ', '.join(parts), self.note]))
 
 
@@ -91,10 +84,6 @@ class _Columns:
         """Return where the middle of a place's column is."""
         return _COLUMNS_X + self._places.index(place) * (self.width + _GAP) + self.width / 2
 
-    def between(self, source: str, target: str) -> list[str]:
-        """Return the places between two."""
-        return self._places[self._places.index(source) + 1:self._places.index(target)]
-
     def cut(self, value: str) -> str:
         """Return as much of a value as there is room for."""
         return svg.cut(value, max(4, int((self.width - 28) / svg.LETTER_WIDTH)))
@@ -107,28 +96,15 @@ def _add_moment(diagram: Diagram, columns: _Columns, y: float, moment: Moment, b
     if moment.note:
         diagram.show(leaves_sec + TRAVEL_SEC if moment.moves else begin_sec, svg.words(
             _WORDS_X, y + 15, svg.cut(moment.note, _NOTE_LETTERS), 'small', anchor='start'))
-    arriving = {move.target for move in moment.moves if not move.rejected}
+    arriving = {move.target for move in moment.moves}
     # Without the frame of what has moved.
     diagram.show(begin_sec, *(svg.words(columns.x(place), y + 4.5, columns.cut(value), 'code')
                               for place, value in moment.values.items() if place not in arriving))
     for move in moment.moves:
-        if move.rejected:
-            _add_bounce(diagram, columns, y, move, leaves_sec)
-        elif move.source:
+        if move.source:
             _add_way(diagram, columns, y, moment, move, leaves_sec)
         else:
             _add_fall(diagram, columns.x(move.target), y, columns.cut(moment.values[move.target]), leaves_sec)
-
-
-def _add_bounce(diagram: Diagram, columns: _Columns, y: float, move: Move, leaves_sec: float) -> None:
-    """Add a value that its target does not take: it comes to the edge, and goes back."""
-    token, from_x, there_sec = columns.cut(move.rejected), columns.x(move.source), leaves_sec + TRAVEL_SEC
-    edge_x = columns.x(move.target) - columns.width / 2
-    touch_x = edge_x - svg.token_width(token) / 2 - 2
-    diagram.show(there_sec - .3, svg.cross(edge_x + 16, y))
-    diagram.show(there_sec - .3, svg.words(edge_x + 30, y + 4.5, columns.cut(move.objection), anchor='start'))
-    diagram.add(Moving(svg.token(token, 'token-bad'), from_sec=leaves_sec - .1, stops=[
-        (leaves_sec, from_x, y), (there_sec - .3, touch_x, y), (there_sec, from_x, y)]))
 
 
 def _add_fall(diagram: Diagram, x: float, y: float, value: str, leaves_sec: float) -> None:
@@ -139,19 +115,8 @@ def _add_fall(diagram: Diagram, x: float, y: float, value: str, leaves_sec: floa
 
 
 def _add_way(diagram: Diagram, columns: _Columns, y: float, moment: Moment, move: Move, leaves_sec: float) -> None:
-    """Add a value that travels to the right, over others if there are any: they do not count, and are struck out."""
+    """Add a value that travels to the right."""
     value, held = (columns.cut(moment.values.get(place, '')) for place in (move.target, move.source))
     from_x, to_x, half = columns.x(move.source), columns.x(move.target), svg.token_width(value) / 2
-    begin_x, end_x = from_x + .55 * svg.LETTER_WIDTH * len(held) + 6, to_x - half - 4
-    covered = [place for place in columns.between(move.source, move.target) if place in moment.values]
-    if not covered:
-        diagram.journey(svg.token(value), half, begin_x, from_x, to_x, y, leaves_sec)
-        return
-    there_sec = leaves_sec + TRAVEL_SEC
-    diagram.show(there_sec - .2, svg.path(
-        f'M{begin_x:.1f} {y - 6}Q{(begin_x + end_x) / 2:.1f} {y - _ARC - 16} {end_x - 8:.1f} {y - 10}'),
-        svg.arrow(end_x - 12, y - 12, end_x + 2, y - 5),
-        *(svg.strike(columns.x(place), y, columns.cut(moment.values[place])) for place in covered))
-    half_way = leaves_sec + TRAVEL_SEC / 2, (from_x + to_x) / 2, y - _ARC
-    diagram.add(Moving(svg.token(value), [(leaves_sec, from_x, y), half_way, (there_sec, to_x, y)],
-                       from_sec=leaves_sec - .1))
+    begin_x = from_x + .55 * svg.LETTER_WIDTH * len(held) + 6
+    diagram.journey(svg.token(value), half, begin_x, from_x, to_x, y, leaves_sec)
