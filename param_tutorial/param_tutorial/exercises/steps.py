@@ -50,9 +50,12 @@ class Bench(Node):
         self.speeds_mps: list[float] = []
         """All that was commanded, oldest first."""
         self._distance_m: float | None = None
-        self.create_subscription(Twist, 'cmd_vel', lambda command: self.speeds_mps.append(command.linear.x), 10)
+        self.create_subscription(Twist, 'cmd_vel', self._hear, 10)
         self._distances = self.create_publisher(Range, 'distance', 10)
         self.create_timer(0.05, self._tell)
+
+    def _hear(self, command: Twist) -> None:
+        self.speeds_mps.append(command.linear.x)
 
     def measure(self, distance_m: float) -> None:
         """Tell the driver this distance from now on, again and again, as a sensor does."""

@@ -40,7 +40,8 @@ function paint(text) {
  * @param {string} text
  */
 function insert(area, text) {
-  if (!document.execCommand('insertText', false, text)) area.setRangeText(text, area.selectionStart, area.selectionEnd, 'end');
+  if (!document.execCommand('insertText', false, text))
+    area.setRangeText(text, area.selectionStart, area.selectionEnd, 'end');
 }
 
 /**
@@ -59,8 +60,8 @@ function indent(area, back) {
   const changed = lines.map(line => (back ? line.replace(/^ {1,4}/, '') : line && INDENT + line)).join('\n');
   area.setSelectionRange(start, to);
   insert(area, changed);
-  area.setSelectionRange(from === to ? Math.max(start, from - (to - start - changed.length)) : start, start + changed.length);
-  if (from === to) area.setSelectionRange(area.selectionEnd, area.selectionEnd);
+  const end = start + changed.length;
+  area.setSelectionRange(from === to ? end : start, end);
 }
 
 /**

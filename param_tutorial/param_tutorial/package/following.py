@@ -4,7 +4,7 @@ import difflib
 import threading
 from collections.abc import Callable
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 from IPython import get_ipython
 from rclpy.node import Node
@@ -67,7 +67,7 @@ class FollowedPackage:
         self._step = last_step_before(chapter)
         self._programs = [_Program(name) for name in names or ('driver_node.py',)]
         self.files.lay_out(self._step)
-        self.base = stage.current().add(BaseNode)
+        self.base = cast(BaseNode, stage.current().add(BaseNode))
         self.need(self._step)
         self._job = Job(self._look_again, _LOOK_SEC)
         self._job.wake()

@@ -244,14 +244,19 @@ def _only_compiled(files: dict[str, bytes]) -> dict[str, bytes]:
     """Return the files with compiled modules in place of the others, where Python looks for them in an archive."""
     compiled = {re.sub(r'__pycache__/([\w-]+)\.cpython-\d+\.pyc', r'\1.pyc', name): content
                 for name, content in _compiled(files).items()}
-    return {**{name: content for name, content in files.items() if not name.endswith('.py')}, **compiled}
+    return {**{name: content for name, content in files.items() if not _is_module(name)}, **compiled}
+
+
+def _is_module(name: str) -> bool:
+    """True unless it is a file of another kind, or one of the reader's package, which is copied as it is."""
+    return name.endswith('.py') and '/steps/' not in name
 
 
 def _compiled(files: dict[str, bytes]) -> dict[str, bytes]:
     """Return the modules among the files as Pyodide compiles them, by their names in a wheel."""
     with tempfile.TemporaryDirectory() as folder:
         for each, content in files.items():
-            if each.endswith('.py'):
+            if _is_module(each):
                 path = Path(folder, each)
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_bytes(content)
