@@ -35,6 +35,10 @@ reset: setup  ## make your copy of one chapter fresh again, and keep what was th
 	@test -n "$(CHAPTER)" || { echo "Which one? make reset CHAPTER=08" >&2; exit 1; }
 	@$(VENV) -m param_tutorial.learner "$(CHAPTER)" $(ARGS)
 
+robot: setup  ## write the package with which a reader ends: make robot DIR=~/ros2_ws/src/my_robot
+	@test -n "$(DIR)" || { echo "Where to? make robot DIR=~/ros2_ws/src/my_robot" >&2; exit 1; }
+	@$(VENV) -m param_tutorial.learner.finished "$(DIR)"
+
 class: setup  ## a table of a class's progress files, and what to talk about: make class FOLDER=…
 	@test -n "$(FOLDER)" || { echo "Where are the files? make class FOLDER=…" >&2; exit 1; }
 	@$(VENV) -m param_tutorial.teacher "$(FOLDER)"
@@ -110,5 +114,5 @@ clean:  ## remove everything that these targets made, but not your copies of the
 	rm -rf .venv build environment/node_modules .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup setup-all lab reset class hub test test-all test-rare html lesson bench lint \
+.PHONY: help setup setup-all lab reset robot class hub test test-all test-rare html lesson bench lint \
     lite lock clean

@@ -49,6 +49,11 @@ class FileEditor(View):
         """The name of the file: it stands in the place of a node's."""
         return self._name
 
+    @property
+    def text(self) -> str:
+        """What the file holds."""
+        return str(self._front.text)
+
     def save(self, text: str, base: str | None = None) -> None:
         """Save a text, as the button does; see ``FollowedPackage.save``."""
         self._package.save(self._name, text, base)

@@ -93,10 +93,11 @@ class FollowedPackage:
 
         :raises PackageError: there is no such step.
         """
+        copy = our_copy(step)
         with self._lock:
             self._step = step
             has_passed = self._has_passed()
-            self.root = self.files.root if has_passed else our_copy(step)
+            self.root = self.files.root if has_passed else copy
             for program in self._programs:
                 program.seen = self.files.text(program.name)
                 self._run(program)
@@ -197,8 +198,8 @@ class FollowedPackage:
             node = self._add(node_class, path)
         except LoadError as error:
             if before is None or program.node in stage.current().nodes:
-                program.status = Status(f'{error} Nothing has changed on the stage.',
-                                        before is not None or error.line > 0, error.line)
+                unchanged = ' Nothing has changed on the stage.' if before else ''
+                program.status = Status(f'{error}{unchanged}', bool(before or error.line), error.line)
                 return
             node_class, node = before, self._add(before, path)
             program.status = Status(f'{error} The version before runs again.', True, error.line)

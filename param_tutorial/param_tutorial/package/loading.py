@@ -58,7 +58,7 @@ def load_node_class(path: Path, root: Path) -> type[Node]:
     classes = [each for each in vars(module).values()
                if isinstance(each, type) and issubclass(each, Node) and each.__module__ == module.__name__]
     if not classes:
-        raise LoadError('It has no class derived from `Node` yet.')
+        raise LoadError(f'{path.name} has no class derived from `Node` yet.')
     return classes[-1]
 
 
@@ -95,7 +95,7 @@ def within_limit(job: Callable[[], T], path: Path) -> T:
         if thread.is_alive() and interrupts.raise_in(thread, _TimeIsUp):
             thread.join(LIMIT_SEC)
         if thread.is_alive():
-            raise LoadError('It waits for something, and cannot be ended. Restart the kernel.')
+            raise LoadError(f'{path.name} waits for something, and cannot be ended. Restart the kernel.')
     else:
         with contextlib.suppress(_TimeIsUp), interrupts.time_limit(LIMIT_SEC, _TimeIsUp):
             work()
@@ -107,13 +107,13 @@ def within_limit(job: Callable[[], T], path: Path) -> T:
 def describe(error: BaseException, path: Path) -> LoadError:
     """Return an exception as a sentence, with the line of the reader's file that it comes from."""
     if isinstance(error, SyntaxError) and error.filename == str(path):
-        return LoadError(f'{type(error).__name__} in line {error.lineno}: {error.msg}.', error.lineno or 0)
+        return LoadError(f'{type(error).__name__} in line {error.lineno} of {path.name}: {error.msg}.', error.lineno or 0)
     lines = [number for frame, number in traceback.walk_tb(error.__traceback__)
              if frame.f_code.co_filename == str(path)]
     line = lines[-1] if lines else 0
-    where = f' in line {line}' if line else ''
+    where = f' in line {line} of {path.name}' if line else ''
     if isinstance(error, _TimeIsUp):
-        return LoadError(f'It does not return{where}: the node has to be ready at once, and `rclpy.spin` belongs into '
+        return LoadError(f'Something does not return{where}. A constructor has to end at once, and `rclpy.spin` belongs in '
                          '`main`.', line)
     said = str(error).rstrip('.')
     return LoadError(f'{type(error).__name__}{where}: {said}.' if said else f'{type(error).__name__}{where}.', line)

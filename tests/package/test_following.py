@@ -1,0 +1,117 @@
+"""The reader's package on the stage: what is saved runs, what can't run leaves the robot as it was, nothing is lost."""
+
+import pytest
+
+import param_tutorial
+from param_tools.errors import ParameterToolError
+from param_tools.ros import stage
+from param_tutorial import Package
+from param_tutorial.learner import package_files
+from param_tutorial.learner.package_files import ours, steps
+from param_tutorial.learner.progress import FILE, VARIABLE
+from param_tutorial.package import loading
+
+DRIVER = ours('3d')['my_robot/driver_node.py']
+SLOW = DRIVER.replace('0.5', '0.25')
+
+
+@pytest.fixture
+def package(ros, monkeypatch, tmp_path):
+    monkeypatch.setenv(VARIABLE, str(tmp_path / FILE))
+    monkeypatch.setattr(package_files, 'passed', set())
+    monkeypatch.setattr('param_tutorial.package.following.passed', package_files.passed)
+    package = Package('4')
+    yield package
+    package.close()
+
+
+def speed(package):
+    return package.node().get_parameter('max_speed_mps').value
+
+
+def test_a_saved_file_runs_with_its_defaults(package):
+    param_tutorial.ParameterClient('/driver').set_parameter('max_speed_mps', 1.5)
+    package.save('driver_node.py', SLOW)
+    assert speed(package) == 0.25
+    assert package.status().words.endswith('It begins with the defaults: what was set before is lost.')
+
+
+def test_a_file_that_something_else_saves_runs_too(package):
+    before = package.node()
+    package.files.path('driver_node.py').write_text(SLOW)
+    param_tutorial.wait_until(lambda: package.node() is not before, 'the new driver')
+    assert speed(package) == 0.25
+
+
+@pytest.mark.parametrize(('old', 'new', 'line', 'words'), [
+    ("'max_speed_mps', 0.5, Par", "'max_speed_mps', 0.5, 'Par", 11, 'SyntaxError in line 11 of driver_node.py'),
+    ('import Twist', 'import Twits', 2, 'ImportError in line 2 of driver_node.py: cannot import name'),
+    ('self.create_publisher', 'self.create_publishr', 15, "no attribute 'create_publishr'"),
+    ('class Driver(Node)', 'class Driver', 0, 'has no class derived from `Node` yet'),
+    ("super().__init__('driver')", 'pass', 11, 'AttributeError in line 11'),
+    ("super().__init__('driver')", 'while True: pass', 10, 'does not return in line'),
+], ids=['syntax', 'import', 'attribute', 'no class', 'no node', 'endless'])
+def test_a_file_that_makes_no_node_leaves_the_robot_and_names_the_line(package, monkeypatch, old, new, line, words):
+    monkeypatch.setattr(loading, 'LIMIT_SEC', 0.5)
+    assert old in DRIVER
+    package.save('driver_node.py', DRIVER.replace(old, new))
+    assert words in package.status().words
+    assert (package.status().is_error, package.status().line) == (True, line)
+    assert [each.get_name() for each in stage.current().nodes if each.get_name() == 'driver']
+    assert speed(package) == 0.5
+
+
+def test_what_a_callback_raises_names_the_line_and_the_robot_stops(package):
+    package.save('driver_node.py', DRIVER.replace('self.speed_mps\n', 'self.spede_mps\n'))
+    param_tutorial.wait_until(lambda: package.status().is_error, 'the exception')
+    assert package.status().line == 20
+    assert 'timer callback drive of /driver: AttributeError in line 20 of driver_node.py' in package.status().words
+
+
+def test_the_stage_runs_ours_until_a_step_is_passed_and_the_readers_file_stays(package):
+    package.save('driver_node.py', SLOW)
+    package.need('3d')
+    assert speed(package) == 0.5
+    assert 'The stage runs our driver_node.py as it is after step 3d.' in package.status().words
+    assert package.files.text('driver_node.py') == SLOW
+    assert package.root != package.files.root
+    package.save('driver_node.py', SLOW)
+    assert speed(package) == 0.25
+    package_files.passed.add('3d')
+    package.need('3d')
+    assert speed(package) == 0.25
+
+
+def test_nothing_of_the_readers_is_overwritten_without_a_backup(package, capsys):
+    package.save('driver_node.py', SLOW)
+    package.take_ours('3c')
+    said = capsys.readouterr().out
+    kept, = package.files.backups.rglob('driver_node.py')
+    assert kept.read_text() == SLOW
+    assert kept.parents[1].name in said
+    assert package.files.text('driver_node.py') == ours('3c')['my_robot/driver_node.py']
+    # An editor that began with another text than is there now.
+    package.files.path('driver_node.py').write_text(SLOW + '# more\n')
+    package.edit().save(DRIVER, base=SLOW)
+    assert SLOW + '# more\n' in [each.read_text() for each in package.files.backups.rglob('driver_node.py')]
+    Package('4').close()
+    assert package.files.text('driver_node.py') == DRIVER
+
+
+def test_an_editor_follows_the_file(package):
+    editor = package.edit()
+    package.files.path('driver_node.py').write_text(SLOW)
+    param_tutorial.wait_until(lambda: editor.text == SLOW, 'the new text')
+    editor.close()
+
+
+def test_a_step_or_a_chapter_that_there_is_not_is_named(package):
+    with pytest.raises(ParameterToolError, match=r"There is no step '3x'\. There is: "):
+        package.need('3x')
+    with pytest.raises(ParameterToolError, match=r"chapter '1' has nothing to begin with"):
+        Package('1')
+
+
+def test_each_step_changes_something():
+    for before, after in zip(steps(), steps()[1:], strict=False):
+        assert ours(before) != ours(after), after

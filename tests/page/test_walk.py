@@ -1,0 +1,80 @@
+"""The whole way of a reader, from an empty folder through each step: in a kernel, in a page, with ours in the middle.
+
+What is written differs from ours in a word that nothing asks for, so that no step counts as passed without its check.
+"""
+
+import contextlib
+import subprocess
+import sys
+from pathlib import Path
+
+import nbformat
+import pytest
+
+from param_tutorial import ParameterClient, Shell, Terminal
+from param_tutorial.exercises import EXERCISES
+from param_tutorial.learner.package_files import NAME, ours, steps
+from param_tutorial.learner.progress import FILE, VARIABLE
+
+pytestmark = pytest.mark.thorough
+
+# Chapter 2 writes its files in a terminal.
+FIRST, *STEPS = [each for each in steps() if not each.startswith('2') or each == '2']
+BEGIN = """
+import os
+import pathlib
+import param_tutorial
+from param_tutorial import Package, exercises
+ros = param_tutorial.start()
+package = Package('3', 'driver_node.py')
+"""
+
+
+def cells(taken=''):
+    """Yield the cells that a reader would run, step by step, who takes ours at one of them."""
+    yield BEGIN
+    for before, step in zip([FIRST, *STEPS], STEPS, strict=False):
+        if step == taken:
+            yield f"package.take_ours('{step}')"
+        else:
+            changed = {name: text for name, text in ours(step).items() if ours(before).get(name) != text}
+            for name, text in changed.items():
+                yield f'package.save({name!r}, {text.replace("class ", "class My").replace("spin(", "spin(My")!r})'
+        yield f"print(exercises.check('{step}', package))"
+    yield 'print(package.status().words)'
+
+
+@pytest.mark.parametrize('taken', ['', STEPS[len(STEPS) // 2]], ids=['alone', 'with ours in the middle'])
+def test_each_step_passes_in_a_kernel(ros, monkeypatch, tmp_path, capsys, taken):
+    monkeypatch.setenv(VARIABLE, str(tmp_path / FILE))
+    space = {}
+    for each in cells(taken):
+        exec(each, space)
+        said = capsys.readouterr().out
+        assert ': not yet' not in said, f'{each}\n{said}'
+    assert 'runs as /driver' in said
+
+
+def test_each_step_passes_in_a_page(run_in_a_page, tmp_path):
+    notebook = nbformat.v4.new_notebook(cells=list(map(nbformat.v4.new_code_cell, cells())))
+    nbformat.write(notebook, tmp_path / 'walk.ipynb')
+    said = [''.join(each.get('text', '') or str(each) for each in ran['outputs'])
+            for ran in run_in_a_page(tmp_path / 'walk.ipynb')]
+    assert [each for each in said if ': not yet' in each or 'ename' in each] == []
+    assert sum(': done' in each for each in said) == len(STEPS)
+    assert 'runs as /driver' in said[-1]
+
+
+def test_every_step_is_an_exercise():
+    assert set(STEPS) <= set(EXERCISES)
+
+
+def test_the_finished_package_builds_and_runs(ros):
+    with contextlib.closing(Shell()) as shell:
+        folder = Path(shell.home, 'ws', 'src', NAME)
+        subprocess.run([sys.executable, '-m', 'param_tutorial.learner.finished', folder], check=True)
+        said = shell.run('cd ~/ws && colcon build && source install/setup.bash')
+        assert shell.status == 0, said
+        driver = Terminal(f'ros2 run {NAME} driver_node --ros-args -p max_speed_mps:=0.75', shell=shell)
+        assert ParameterClient('/driver', timeout_sec=30).get_parameter('max_speed_mps') == 0.75
+        assert driver.interrupt() == 0
