@@ -18,7 +18,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument('folder', type=Path, help='a new folder, such as ~/ros2_ws/src/my_robot')
     folder: Path = parser.parse_args(arguments).folder.expanduser()
     if folder.exists():
-        print(f'{folder} exists already. Name a folder that does not: nothing of yours is overwritten.', file=sys.stderr)
+        print(f'{folder} exists already, and nothing of yours is overwritten. Name another folder.', file=sys.stderr)
         return 1
     try:
         for name, text in ours(steps()[-1]).items():

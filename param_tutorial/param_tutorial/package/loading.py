@@ -107,13 +107,14 @@ def within_limit(job: Callable[[], T], path: Path) -> T:
 def describe(error: BaseException, path: Path) -> LoadError:
     """Return an exception as a sentence, with the line of the reader's file that it comes from."""
     if isinstance(error, SyntaxError) and error.filename == str(path):
-        return LoadError(f'{type(error).__name__} in line {error.lineno} of {path.name}: {error.msg}.', error.lineno or 0)
+        line = error.lineno or 0
+        return LoadError(f'{type(error).__name__} in line {line} of {path.name}: {error.msg}.', line)
     lines = [number for frame, number in traceback.walk_tb(error.__traceback__)
              if frame.f_code.co_filename == str(path)]
     line = lines[-1] if lines else 0
     where = f' in line {line} of {path.name}' if line else ''
     if isinstance(error, _TimeIsUp):
-        return LoadError(f'Something does not return{where}. A constructor has to end at once, and `rclpy.spin` belongs in '
-                         '`main`.', line)
+        return LoadError(f'Something does not return{where}. A constructor has to end at once, and `rclpy.spin` '
+                         'belongs in `main`.', line)
     said = str(error).rstrip('.')
     return LoadError(f'{type(error).__name__}{where}: {said}.' if said else f'{type(error).__name__}{where}.', line)
