@@ -16,6 +16,8 @@ NOTEBOOKS = sorted((ROOT / 'notebooks').rglob('[0-9]*.ipynb'))
 CHAPTERS = {path.name: nbformat.read(path, as_version=4) for path in sorted((ROOT / 'notebooks').glob('[0-9]*.ipynb'))}
 ROW = re.compile(r'\[([^]]+)\]\(([0-9]\w*\.ipynb)\) *\| *([^|]+?) *\| *(\d+(?: \+ \d+)?) *'
                  r'\|(?: *([^|\n]+?) *\|)?')
+# The chapters that are written for the reader's package.
+SHORT = ['03_declaring.ipynb']
 # Longer questions break on a page of usual width, and the table is no longer read at a glance.
 QUESTION_CHARACTERS = 72
 
@@ -62,6 +64,19 @@ def test_a_chapter_has_the_shape_of_all():
         # *Run All* leaves a page to play with: no cell ends the stage, or takes the files away that others need.
         code = '\n'.join(cell.source for cell in chapter.cells if cell.cell_type == 'code')
         assert not re.search(r'param_tutorial\.stop\(\)|cleanup\(\)', code), name
+
+
+def test_a_chapter_is_short_and_the_reader_types_early():
+    for name in SHORT:
+        cells = CHAPTERS[name].cells
+        prose = '\n'.join(cell.source for cell in cells if cell.cell_type == 'markdown')
+        prose = re.sub(r'```.*?```|<[^>]+>|\]\([^)]*\)', '', prose, flags=re.DOTALL)
+        assert sum(bool(re.search(r'\w', word)) for word in prose.split()) <= 1500, f'{name}: words'
+        assert len(cells) <= 60, f'{name}: cells'
+        turn = next(at for at, cell in enumerate(cells) if cell.id.startswith('check-'))
+        assert turn <= 0.4 * len(cells), f'{name}: the first turn of the reader'
+        shown = [cell.source for cell in cells if cell.cell_type == 'code' and not cell.id.startswith('exercise-')]
+        assert len(re.findall('^class ', '\n'.join(shown), re.MULTILINE)) <= 3, f'{name}: classes to throw away'
 
 
 def test_links_lead_somewhere():
