@@ -55,14 +55,18 @@ def test_each_step_passes_in_a_kernel(ros, monkeypatch, tmp_path, capsys, taken)
     assert 'runs as /driver' in said
 
 
-def test_each_step_passes_in_a_page(run_in_a_page, tmp_path):
-    notebook = nbformat.v4.new_notebook(cells=list(map(nbformat.v4.new_code_cell, cells())))
+def test_each_step_passes_in_a_page_and_the_program_runs_there(run_in_a_page, tmp_path):
+    run = ("ros.remove('/driver')\n"
+           "program = param_tutorial.Terminal('ros2 run my_robot driver_node --ros-args -p max_speed_mps:=0.75')\n"
+           "print(param_tutorial.ParameterClient('/driver').get_parameter('max_speed_mps'))\nprint(program.interrupt())")
+    notebook = nbformat.v4.new_notebook(cells=list(map(nbformat.v4.new_code_cell, [*cells(), run])))
     nbformat.write(notebook, tmp_path / 'walk.ipynb')
     said = [''.join(each.get('text', '') or str(each) for each in ran['outputs'])
             for ran in run_in_a_page(tmp_path / 'walk.ipynb')]
     assert [each for each in said if ': not yet' in each or 'ename' in each] == []
     assert sum(': done' in each for each in said) == len(STEPS)
-    assert 'runs as /driver' in said[-1]
+    assert 'runs as /driver' in said[-2]
+    assert said[-1].split() == ['0.75', '0']
 
 
 def test_every_step_is_an_exercise():

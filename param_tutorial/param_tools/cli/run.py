@@ -75,6 +75,8 @@ def _wait_for_end(command: Sequence[str]) -> Steps:
 def find_program(package: str, program: str, environment: Mapping[str, str] = os.environ) -> list[str]:
     """Find a program: in the install spaces that have been sourced, else among the nodes of provided packages.
 
+    Where there are no processes, it may also be a file of a package in ``ros2_ws/src`` of the current folder.
+
     :param environment: Tells what has been sourced.
     :return: The words that start it.
     :raises index.PackageNotFound: there is no such package.
@@ -83,6 +85,10 @@ def find_program(package: str, program: str, environment: Mapping[str, str] = os
     try:
         installed = _installed_programs(package, environment)
     except index.PackageNotFound:
+        # Where nothing can be built, as in a page, the source of a package in the usual workspace is all there is.
+        source = Path('ros2_ws', 'src', package, package, f'{program}.py')
+        if not host.host.has_processes and source.is_file():
+            return [sys.executable, str(source.resolve())]
         return _provided_program(package, program, environment)
     paths = [path for path in installed if path.name == program]
     if not paths:
