@@ -8,19 +8,21 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.support import lab as lab_module
+from tests.support import lesson
 from tests.support.lab import ROOT, Lab, LabPage
 
 pytestmark = pytest.mark.timeout(600)  # each wait may take lab.TIMEOUT_SEC
 
-CHAPTER = ROOT / 'notebooks' / '05_2_with_a_callback.ipynb'
 NODE = '/simple_param_node'
 
 
 @pytest.fixture
-def opened_chapter(tmp_path, browser):
-    """Return a server and a page with the chapter; afterwards the browser must not have complained."""
-    with Lab(tmp_path / 'lab', [CHAPTER]) as lab:
-        page = LabPage(lab, browser, CHAPTER.name)
+def opened_lesson(tmp_path, browser):
+    """Return a server and a page with a lesson; afterwards the browser must not have complained."""
+    cells = (*lesson.LESSON[:2], 'from param_tutorial import ParameterPanel, views\n'
+             f'views.SideBySide(views.LogView(), ParameterPanel({NODE!r}))')
+    with Lab(tmp_path / 'lab', [lesson.write(tmp_path / 'lesson.ipynb', cells)]) as lab:
+        page = LabPage(lab, browser, 'lesson.ipynb')
         yield lab, page
         assert page.strange_errors() == []
 
@@ -56,8 +58,8 @@ def drag(page, slider):
     page.page.mouse.up()
 
 
-def test_a_learner_and_a_terminal(opened_chapter):
-    lab, page = opened_chapter
+def test_a_learner_and_a_terminal(opened_lesson):
+    lab, page = opened_lesson
     page.run_all()
     # Until then the slider may be in its cell.
     expect(page.page.get_by_role('complementary', name='Beside the text').get_by_role('slider').first).to_be_visible()

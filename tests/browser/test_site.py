@@ -349,15 +349,19 @@ def test_a_cell_shows_what_jupyter_shows(page):
     dot = 'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNkYPhfDwAChwGA60e6kgAAAABJRU5ErkJggg=='
     edit(cell, 'import base64, ipywidgets\nfrom IPython.display import Image, Latex, Markdown, SVG\n'
                """display(SVG('<svg xmlns="http://www.w3.org/2000/svg" width="9" height="7"/>'),Markdown('**bold**'),"""
-               f"Image(base64.b64decode('{dot}')), Latex('$x^2$'), ipywidgets.IntSlider(5))\n"
-               'help(heater.undeclare_parameter)').press('Shift+Enter')
+               f"Image(base64.b64decode('{dot}')), Latex('$x^2$'), ipywidgets.Dropdown())\n"
+               "slider = ipywidgets.IntSlider(5)\nslider.observe(lambda _: setattr(slider, 'value', 7), 'value')\n"
+               'display(slider)\nhelp(heater.undeclare_parameter)').press('Shift+Enter')
     out = cell.locator('.cell_output')
     expect(out).to_contain_text('Undeclare a previously declared parameter.', timeout=60_000)
     expect(out.locator('strong')).to_have_text('bold')
     assert out.locator('img').evaluate_all('all => all.map(each => [each.naturalWidth, each.naturalHeight])') == [
         [9, 7], [1, 1]]
-    for words in ('$x^2$', 'JupyterLab shows a widget here (IntSlider)'):
+    for words in ('$x^2$', 'JupyterLab shows a widget here (Dropdown)'):
         expect(out).to_contain_text(words)
+    out.get_by_role('slider').fill('9')
+    expect(out.get_by_role('slider')).to_have_value('7')
+    expect(out.get_by_role('status')).to_have_text('7')
 
 
 @limits

@@ -178,7 +178,7 @@ def test_an_unknown_node_is_waited_for_as_long_as_asked(ros):
 def test_ctrl_c_ends_a_running_node_without_a_word(program, start_process):
     process = start_process(*EMBEDDED, 'run', 'param_tutorial', program, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     # It answers, so its constructor is done.
-    node = '/base' if program == 'base_node' else f'/{program}'
+    node = {'base_node': '/base', 'driver_node': '/driver'}.get(program, f'/{program}')
     assert run('param', 'get', '--timeout', '30', node, 'use_sim_time')[2] == 0
     os.killpg(process.pid, signal.SIGINT)  # as a terminal does
     stdout, stderr = process.communicate()

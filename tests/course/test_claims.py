@@ -64,17 +64,26 @@ def test_any_name_but_the_empty_one_can_be_declared(ros):
         ros.run(lambda: node.declare_parameter('', 1), 'declare')
 
 
-# A075: the article's robot compares types, with two kinds of numbers.
-def test_the_setter_gets_two_of_four_into_the_articles_robot(ros):
+# A045, A050, A051, A052, A053, A054, A055, A056, A075: the article's robot compares types, with two kinds of numbers.
+def test_two_of_four_values_get_into_the_articles_robot(ros):
+    asked, types = [], {
+        'max_speed_rpm': ParameterType.PARAMETER_INTEGER, 'max_acceleration_mps2': ParameterType.PARAMETER_DOUBLE}
+
     def judge(parameters):
+        asked.extend(each.name for each in parameters)
         return SetParametersResult(successful=all(
-            each.type_ == ParameterType.PARAMETER_DOUBLE for each in parameters if each.name.startswith('max_')))
+            each.type_ == types[each.name] for each in parameters if each.name in types))
 
     article = ros.add(SimpleParamNode)
+    assert 'max_speed_rpm: 100' in ros.node_log.read(until='max_acceleration_mps2: 0.5')
     article.add_on_set_parameters_callback(judge)
+    ros.run(lambda: article.declare_parameter('later', 1), 'declare')
+    assert asked == ['later']
+    typed = {'max_speed_rpm': 150, 'enable_safety_mode': False, 'max_acceleration_mps2': 0.75,
+             'min_operating_temperature_c': 10}
     proposal = {each.name: each.value for each in ParamSetterNode.proposal(1)}
-    assert [each.successful for each in ParameterClient(article).set_parameters(proposal)] == [
-        True, True, False, False]
+    for values, taken in ((typed, [False, True, False, True]), (proposal, [True, True, False, False])):
+        assert [each.successful for each in ParameterClient(article).set_parameters(values)] == taken
 
 
 # A009, A066

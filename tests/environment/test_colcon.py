@@ -1,6 +1,8 @@
 """This repository is a ROS package: `colcon build`, plain and with links, and a node run from the install space."""
 
+import re
 import shutil
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -68,6 +70,20 @@ def test_a_node_runs_from_the_install_space(workspace, ros):
     assert client.get_parameters(['robot_name', 'max_speed_rpm']) == {'robot_name': 'AlphaClaw', 'max_speed_rpm': 180}
     assert robot.interrupt() == 0
     assert 'Traceback' not in robot.text
+
+
+def test_a_setup_py_that_takes_a_folder_for_a_file_does_not_build():
+    """Claims A009, A016, A017, A077: the article's ``data_files``."""
+    with closing(Shell()) as shell:
+        shell.run('mkdir -p ws/src; cd ws/src; ros2 pkg create --build-type ament_python param_tutorial; cd ..')
+        setup = shell.home / 'ws/src/param_tutorial/setup.py'
+        setup.write_text(re.sub(r'data_files=\[.*?^    \]', "data_files=[('share/param_tutorial', ['package.xml']), "
+                                "('share/param_tutorial/resource', ['param_tutorial'])]", setup.read_text(),
+                                flags=re.DOTALL | re.MULTILINE))
+        said = shell.run('colcon build; source install/setup.bash; ros2 run param_tutorial simple_param_node')
+    assert "error: can't copy 'param_tutorial': doesn't exist or not a regular file" in said
+    assert "doesn't explicitly install a marker in the package index" in said
+    assert said.endswith("Package 'param_tutorial' not found")
 
 
 def test_an_edit_takes_effect_with_links_and_does_not_without(workspace):

@@ -11,9 +11,10 @@ from param_tools.errors import ExecutorError
 from param_tools.ros import graph, stage
 from param_tutorial import ParameterClient, exercises
 from param_tutorial.exercises import EXERCISES, trial
-from param_tutorial.exercises.chapters import ch05_1, ch05_3, ch11
+from param_tutorial.exercises.chapters import ch05_3, ch11
 from param_tutorial.exercises.results import Finding, Result
 from param_tutorial.learner.progress import FILE, VARIABLE, own_progress
+from param_tutorial.nodes.base_node import BaseNode
 from tests.support.answers import answer, blank, cell, not_yet, solution
 
 
@@ -64,7 +65,7 @@ class Unreadable:
     (None, 'the check was given `None`'), (5, '`5`'), ('Rover', "`'Rover'`"), (Unreadable, 'the class `Unreadable`'),
     (Unreadable(), 'a `Unreadable`'), (NeedsArguments, 'missing 2 required positional arguments'),
     (Raises, 'ValueError: no wheels'), (Exits, 'SystemExit: 1'),
-    (ch05_1.Gripper, 'the check was given the class `Gripper`'),
+    (BaseNode, 'the check was given the class `BaseNode`'),
     (type('Rover', (ch11.CartNode,), {}), 'the check was given the class `Rover`'),
 ])
 def test_the_check_of_a_rover_names_anything_else(ros, work, word):
@@ -97,21 +98,29 @@ def test_a_node_in_place_of_its_class_is_named_and_stays_on_the_stage(ros):
 
 
 def test_a_class_that_forgets_the_constructor_of_node_is_asked_about_it(ros):
-    source = re.sub(r"super\(\).__init__\('\w+'\)", 'pass', cell('1c', 'solution').source)
-    happened, = filter(None, not_yet(exercises.check('1c', answer('1c', source, 'solution'))).values())
+    source = re.sub(r"super\(\).__init__\('\w+'\)", 'pass', cell('1b', 'solution').source)
+    happened, = filter(None, not_yet(exercises.check('1b', answer('1b', source, 'solution'))).values())
     assert happened.endswith('. Does `__init__` begin with `super().__init__(…)`?')
 
 
 def test_a_node_without_parameter_services_is_not_waited_for(ros):
-    happened, = filter(None, not_yet(exercises.check('5.2a', solution('5.2a', (
-        "super().__init__('heater'", "super().__init__('heater', start_parameter_services=False")))).values())
+    happened, = filter(None, not_yet(exercises.check('5.2c', solution('5.2c', (
+        "super().__init__('door'", "super().__init__('door', start_parameter_services=False")))).values())
     assert happened == 'it has no services for them: was it created with `start_parameter_services=False`?'
 
 
 def test_a_program_that_is_not_there_is_named(ros, tmp_path):
-    result = exercises.check('5.2d', str(tmp_path / 'winch_node.py'))
+    result = exercises.check('8d', str(tmp_path / 'winch_node.py'))
     assert 'there is none beside this notebook: run the cell above' in result.findings[0].happened
     assert [finding.word for finding in result.findings] == ['not yet', *['not tried'] * (len(result.findings) - 1)]
+
+
+def test_a_copy_that_is_older_than_the_readers_file_is_found(ros):
+    files = solution('2d')
+    copy = files.lessons / 'ros2_ws/install/my_robot/lib/python3.11/site-packages/my_robot/driver_node.py'
+    copy.parent.mkdir(parents=True)
+    copy.write_text('pass')
+    assert list(not_yet(exercises.check('2d', files)).values()) == ['the copy there is older. A build replaces it']
 
 
 @pytest.mark.rare
@@ -151,7 +160,7 @@ class Supervisor(Node):
 
     def __init__(self):
         super().__init__('supervisor')
-        self.client = self.create_client(ch05_3.SetParameters, '/rover/set_parameters')
+        self.client = self.create_client(ch05_3.SetParameters, 'driver/set_parameters')
 
 
 class Sleeps(Supervisor):
@@ -161,11 +170,11 @@ class Sleeps(Supervisor):
 
 @pytest.mark.rare
 def test_a_button_callback_that_cannot_be_interrupted_is_reported_and_start_begins_anew(ros):
-    result = exercises.check('5.3b', Sleeps)
+    result = exercises.check('5.4a', Sleeps)
     assert 'does not return and cannot be interrupted. Call start() again' in result.findings[0].happened
     assert [finding.word for finding in result.findings] == ['not yet', 'not tried', 'not tried']
     stage.start()
-    assert exercises.check('5.3b', solution('5.3b')).done
+    assert exercises.check('5.4a', solution('5.4a')).done
 
 
 def test_a_cart_that_is_launched_already_is_named(ros):
@@ -186,7 +195,7 @@ def test_a_check_leaves_the_stage_as_it_was(ros):
     own = ros.add(solution('3b'))
     client = ParameterClient(own)
     client.set_parameter('max_speed_mps', 1.5)
-    for number in ('3b', '5.1b', '5.2c', '5.3c'):  # one for each kind of work
+    for number in ('3b', '5.2a', '5.3c', '7.1c'):  # one for each kind of work
         exercises.check(number, solution(number))
         exercises.check(number, blank(number))
     assert ros.nodes == (own,)
@@ -198,7 +207,7 @@ def test_a_check_leaves_the_stage_as_it_was(ros):
 class AddsAnother(Node):
     def __init__(self):
         super().__init__('rover')
-        stage.current().add(ch05_1.Gripper)
+        stage.current().add(BaseNode)
 
 
 def test_nodes_that_a_node_adds_are_removed_too(ros):
@@ -208,12 +217,12 @@ def test_nodes_that_a_node_adds_are_removed_too(ros):
 
 @pytest.mark.parametrize('touch', [param_tutorial.start, param_tutorial.stop])
 def test_work_that_starts_or_stops_the_stage_gets_a_hint_to_leave_that_out(ros, touch):
-    def report(robot):
+    def next_stop(node):
         touch()
-        return robot.get_parameter('max_speed_rpm').value, 12.0
+        return 1, [2, 3]
 
     own = ros.add(solution('3b'))
-    happened = not_yet(exercises.check('4a', report)).values()
+    happened = not_yet(exercises.check('4c', next_stop)).values()
     assert 'would take the check’s own nodes off the stage: leave this line out' in ' '.join(happened)
     assert ros.nodes == (own,)
     assert param_tutorial.start() is ros  # after the check, everything is as before

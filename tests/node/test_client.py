@@ -199,7 +199,7 @@ def test_a_callback_that_raises_answers_at_once_with_its_exception(client, capfd
     assert client.set_parameter('limits.high', 7).successful
 
 
-# Chapter 5.2 says so: of the exceptions in a callback, rclpy catches this one.
+# Of the exceptions in a callback, rclpy catches this one.
 def test_a_callback_that_reads_an_undeclared_parameter_is_a_rejection(ros):
     class ReadsUndeclared(Node):
         def __init__(self):

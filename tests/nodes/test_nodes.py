@@ -91,9 +91,10 @@ def test_the_setter_waits_for_its_target_and_reports_each_result(ros):
     assert ParameterClient('/simple_param_node').get_parameter('max_speed_rpm') == 130
 
 
-def test_only_each_third_proposal_holds_a_value_that_the_robot_rejects():
+def test_the_setter_asks_for_safety_each_second_time_and_for_a_wrong_value_each_third():
     for iteration in range(1, 61):
-        acceleration = ParamSetterNode.proposal(iteration)[-1].value
+        _, safety, _, acceleration = (each.value for each in ParamSetterNode.proposal(iteration))
+        assert safety == (iteration % 2 == 0)
         assert (0.01 <= acceleration <= 2.0) == (iteration % 3 != 0)
 
 

@@ -2,11 +2,14 @@
 
 import shlex
 import sys
+from contextlib import closing
+from pathlib import Path
 
 import pytest
 from IPython.core.error import UsageError
 
 from param_tutorial import Shell
+from param_tutorial.learner.package_files import NAME, ours
 from param_tutorial.notebook.shell import ShellError
 from tests.support.commands import run
 
@@ -54,6 +57,12 @@ def test_the_magic_types_a_cell_into_the_shell_it_names(shell, ipython, capsys):
     assert isinstance(error, UsageError) and 'nobody is none' in str(error)
 
 
+def test_a_home_folder_that_is_given_stays(tmp_path):
+    with closing(Shell(home=tmp_path)) as shell:
+        assert shell.run('echo kept > file; pwd') == '~'
+    assert (tmp_path / 'file').read_text() == 'kept\n'
+
+
 # -- ros2 pkg create: what it writes is recorded in tests/cli/transcripts ---------------------------------------------
 
 
@@ -97,6 +106,13 @@ def test_what_cannot_be_a_package_is_rejected(here, words, why):
     assert list(here.iterdir()) == []
 
 
+def test_it_writes_the_first_step_of_the_readers_package(here):
+    create(NAME, '--build-type', 'ament_python', '--node-name', 'driver_node', '--maintainer-name', 'learner',
+           '--maintainer-email', 'learner@todo.todo')
+    assert ours('2') == {path.relative_to(NAME).as_posix(): path.read_text()
+                         for path in Path(NAME).rglob('*') if path.is_file() and path.parent.name != 'test'}
+
+
 def test_a_folder_that_is_there_is_left_alone(here):
     create('x', '--build-type', 'ament_python')
     (here / 'x' / 'setup.py').write_text('mine')
@@ -106,15 +122,17 @@ def test_a_folder_that_is_there_is_left_alone(here):
     assert (here / 'x' / 'setup.py').read_text() == 'mine'
 
 
-def test_what_is_built_runs_where_python_lies_below_a_space(tmp_path, monkeypatch):
+@pytest.mark.parametrize('home', ['', 'a home'])
+def test_what_is_built_runs_where_python_lies_below_a_space(tmp_path, monkeypatch, home):
     folder = tmp_path / 'a folder'
     folder.symlink_to(sys.prefix)
+    (tmp_path / 'a home').mkdir()
     monkeypatch.setattr(sys, 'executable', str(folder / 'bin' / 'python'))
-    first, second = (shell := Shell()), Shell(beside=shell)
+    first, second = (shell := Shell(home=tmp_path / home if home else None)), Shell(beside=shell)
     first.run('mkdir -p ws/src; cd ws/src; ros2 pkg create hello --build-type ament_python --node-name greeter; cd ..')
     assert 'Finished <<< hello' in first.run('colcon build')
     # Linux starts no program whose first line has a space in the name of what is to run it.
-    assert first.run('head -1 install/hello/lib/hello/greeter') == '#!~/.python/bin/python'
+    assert first.run('head -1 install/hello/lib/hello/greeter').endswith('/.python/bin/python')
     assert second.run('cd ws; source install/setup.bash; ros2 run hello greeter') == 'Hi from hello.'
     assert 'Finished <<< hello' in second.run('colcon build')
 

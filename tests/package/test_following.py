@@ -1,5 +1,7 @@
 """The reader's package on the stage: what is saved runs, what can't run leaves the robot as it was, nothing is lost."""
 
+from contextlib import closing
+
 import pytest
 
 import param_tutorial
@@ -89,6 +91,8 @@ def test_nothing_of_the_readers_is_overwritten_without_a_backup(package, capsys)
     kept, = package.files.backups.rglob('driver_node.py')
     assert kept.read_text() == SLOW
     assert kept.parents[1].name in said
+    # Where colcon looks for packages, there is one of this name.
+    assert (package.files.backups / 'COLCON_IGNORE').exists()
     assert package.files.text('driver_node.py') == ours('3c')['my_robot/driver_node.py']
     # An editor that began with another text than is there now.
     package.files.path('driver_node.py').write_text(SLOW + '# more\n')
@@ -103,6 +107,22 @@ def test_an_editor_follows_the_file(package):
     package.files.path('driver_node.py').write_text(SLOW)
     param_tutorial.wait_until(lambda: editor.text == SLOW, 'the new text')
     editor.close()
+
+
+def test_chapter_2_begins_with_nothing_and_leaves_a_package_alone_that_is_further(package, capsys):
+    package.save('driver_node.py', SLOW)
+    first = Package('2')
+    assert 'is further than this chapter, and stays as it is' in capsys.readouterr().out
+    assert (first.home != package.home, first.files.root.exists()) == (True, False)
+    first.close()
+
+
+def test_an_editor_of_another_file_says_that_it_is_saved(package):
+    with closing(package.edit('package.xml')) as editor:
+        editor.save(editor.text.replace('wall', 'door'))
+        assert 'a door' in editor.text
+    assert 'a door' in package.files.text('package.xml')
+    assert package.status('package.xml').words == 'Saved.'
 
 
 def test_a_step_or_a_chapter_that_there_is_not_is_named(package):

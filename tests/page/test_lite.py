@@ -33,7 +33,7 @@ KNOWN = r"lab/images/robot\.svg|http://127\.0\.0\.1:\d+/'? because it violates|F
 
 
 FIRST, UNTOUCHED = '01_what_are_parameters.ipynb', '04_retrieving.ipynb'
-PREDICTION, EXERCISE = '1-1', '1c'
+PREDICTION, EXERCISE = '1-1', '1b'
 NOTEBOOKS = sorted((ROOT / 'notebooks').glob('[0-9]*.ipynb'))
 RUN_OFTEN = ('03_declaring', '05_2_with_a_callback')  # with the most intended errors
 
@@ -251,12 +251,12 @@ def work_through(visit):
 
 
 def use_panel(visit, index):
-    ask = "import param_tutorial as it\nprint(it.ParameterClient('/clawbot_node').get_parameter('max_speed_rpm'))"
+    ask = "import param_tutorial as it\nprint(it.ParameterClient('/driver').get_parameter('max_speed_mps'))"
     before = visit.ask(ask)
-    visit.click(index, '.param-row[data-name="max_speed_rpm"] input[type=range]')
+    visit.click(index, '.param-row[data-name="max_speed_mps"] input[type=range]')
     lab.wait_for(lambda: visit.ask(ask) != before, 'the node to have what its control says')
     visit.click(index, '.robot-view button, .robot-stage button')
-    visit.wait_for_text(index, 'has stopped')
+    visit.wait_for_text(index, 'the wall')
 
 
 def predict(visit, index):
@@ -306,7 +306,6 @@ def go_on(visit):
     assert visit.page.evaluate('navigator.serviceWorker.getRegistrations().then(all => all.length)') == 1
     assert visit.page.evaluate(f'test.cells[{index - 1}].model.sharedModel.source') == '# mine'
     visit.run(visit.cell('import param_tutorial'))
-    visit.run(visit.cell('from param_tutorial import exercises'))
     assert '1 of 3 exercises solved, 1 of ' in visit.run(visit.cell('exercises.progress('))
     progress = json.loads(visit.read('progress.json'))
     assert list(progress['solved']) == [EXERCISE]

@@ -27,12 +27,12 @@ def linked(folder, text, pages, **options):
 
 
 def test_a_view_that_shows_less_on_a_page_has_the_reason_below_it():
-    path = NOTEBOOKS / '02_workspace.ipynb'
-    panel = next(each for each in nbformat.read(path, as_version=4).cells if each.source.startswith('ParameterPanel('))
-    state = {'_model_name': 'HTMLModel', 'value': 'a panel'}
-    ran = LiveChapter([LiveCell(panel.id, panel.source, '', ['a/1/1'], {'a/1/1': state})], {})
-    shown = next(each for each in chapter.chapter_source(path, ran, set()).cells if each.id == panel.id)
-    assert re.search(r'a panel.*So it is in a web page: the node is one that only colcon could build\.',
+    path = NOTEBOOKS / '05_1_from_the_command_line.ipynb'
+    line = next(each for each in nbformat.read(path, as_version=4).cells if each.source == '%ros2_terminal')
+    state = {'_model_name': 'HTMLModel', 'value': 'a line'}
+    ran = LiveChapter([LiveCell(line.id, line.source, '', ['a/1/1'], {'a/1/1': state})], {})
+    shown = next(each for each in chapter.chapter_source(path, ran, set()).cells if each.id == line.id)
+    assert re.search(r'a line.*So it is in a web page: no terminal finds the nodes of a page\.',
                      shown.outputs[0].data['text/html'])
 
 
@@ -79,7 +79,7 @@ def test_the_first_page_lists_the_chapters_that_there_are_and_says_what_ran(tmp_
     assert 'href="1_a.html"' in text and 'Why?' in text and 'Two' not in text
     assert '20 minutes' in text and 'href="3_c.html"' in text and '30 + 25 minutes' in text
     assert re.search(r'2026-01-02 \(`abc1234`\), on Python 3\.12\.1\s+with rclpy 7\.1\.6', text)
-    assert 'Drive' not in text
+    assert 'Move the slider' not in text
 
 
 @pytest.mark.parametrize('number', RECALLS)

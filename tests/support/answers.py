@@ -1,20 +1,27 @@
 """What a learner hands in: the blanks and solutions in the notebooks, and answers made from them."""
 
 import ast
+import contextlib
 import functools
+import os
 import re
+import shlex
 import tempfile
 from pathlib import Path
 
 import nbformat
 
 from param_tutorial.exercises import EXERCISES
+from param_tutorial.exercises.chapters import ch05_1
 from param_tutorial.learner.package_files import PackageFiles, steps
+from tests.support import commands
 from tests.support.paths import NOTEBOOKS
 
 # Where the programs are written, and what the cells have made: their own folders go with the last reference to them.
 _PROGRAMS = tempfile.TemporaryDirectory()
 _spaces = []
+# What is judged by the nodes on the stage, after a reader has typed commands.
+TYPED = (ch05_1.PACKAGE, ch05_1.NODE)
 
 
 @functools.cache
@@ -37,6 +44,8 @@ def answer(number, source, kind):
         path = Path(_PROGRAMS.name, first.split()[1])
         path.write_text(f'{text}\n')
         return str(path)
+    if EXERCISES[number].takes in TYPED:
+        return typed(number, source)
     space = {'__name__': '__main__'}
     _spaces.append(space)
     for each in notebook(number, 'solutions' if kind == 'solution' else ''):
@@ -49,20 +58,43 @@ def answer(number, source, kind):
     for each in notebook(number, 'solutions' if kind == 'solution' else ''):
         if each.id == cell(number, kind).id:
             break
-        if each.id.startswith(f'{kind}-') and each.id.removeprefix(f'{kind}-') not in steps():
+        earlier = each.id.removeprefix(f'{kind}-').replace('-', '.')
+        if each.id.startswith(f'{kind}-') and earlier not in steps() and EXERCISES[earlier].takes not in TYPED:
             exec(each.source, space)
     exec(source, space)
-    name = re.fullmatch(rf"exercises\.check\('{number}', (\w+)\)", cell(number, 'check').source).group(1)
-    return space[name]
+    return space[checked(number)]
+
+
+def checked(number):
+    """Return what the check of an exercise is given, as its cell names it."""
+    return re.fullmatch(rf"exercises\.check\('{number}', (\w+)\)", cell(number, 'check').source).group(1)
+
+
+def _type(line):
+    with contextlib.suppress(ValueError):  # quotes that are not closed
+        commands.run(*shlex.split(line, comments=True))
+
+
+def typed(number, source):
+    """Put the nodes of the notebook onto the stage, and type a cell's lines; return what the check is given."""
+    folder = Path.cwd()
+    space = {'ros2': _type}
+    for each in notebook(number, 'solutions'):
+        if each.cell_type == 'code' and each.id.startswith('solutions-'):
+            exec(re.sub(r'(?m)^%load_ext.*', '', each.source), space)
+    space['package'].close()
+    os.chdir(folder)  # a package without a learner works in a temporary one
+    exec(re.sub(r'(?m)^%ros2 (.*)', lambda line: f'ros2({line[1]!r})', source), space)
+    return space[checked(number)]
 
 
 def package(step, *replacements):
-    """Return the package as it stands after a step, with some of the words of its programs replaced by others."""
+    """Return the package as it stands after a step, with some of its words replaced by others."""
     files = PackageFiles(Path(tempfile.mkdtemp(dir=_PROGRAMS.name)))
     files.lay_out(step)
-    programs = sorted(files.root.glob('my_robot/*_node.py'))
+    texts = [*sorted(files.root.glob('my_robot/*_node.py')), files.path('package.xml'), files.path('setup.py')]
     for old, new in replacements:
-        path = next((each for each in programs if old in each.read_text()), None)
+        path = next((each for each in texts if old in each.read_text()), None)
         assert path, f'step {step} has changed: {old!r} is not in it'
         path.write_text(path.read_text().replace(old, new))
     return files

@@ -40,7 +40,7 @@ def test_one_row_for_each_student_and_bad_files_are_named(tmp_path, told):
     assert header == ['student', *CHAPTERS, 'all', 'predicted', 'right']
     assert [row[0] for row in rows] == ['ada', 'Bob', 'group']
     row = dict(zip(header, rows[0]))
-    assert (row['3'], row['5.2'], row['6.1']) == ('3/4', '1/4', '0/3')
+    assert (row['3'], row['5.2'], row['6.1']) == ('3/4', '1/3', '0/3')
     questions = len(PREDICTIONS) + len(RECALLS)
     assert (row['all'], row['predicted'], row['right']) == (f'4/{len(EXERCISES)}', f'2/{questions}', '1')
     assert dict(zip(header, rows[1]))['11'] == '1/7'

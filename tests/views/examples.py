@@ -14,7 +14,6 @@ from param_tutorial.views.drawing.plane import Way, draw_plane
 from param_tutorial.views.drawing.plots import Band, LinePlot
 from param_tutorial.views.drawing.robot import Robot
 from param_tutorial.views.drawing.timeline import Step
-from param_tutorial.views.drawing.trail import Moment, Move, draw_trail
 
 # Names and values are text, whatever is in them.
 EVIL = '<b>"&'
@@ -50,8 +49,6 @@ _PAIRS = {(low, high): low < high for low in range(-10, 71, 10) for high in rang
 _WAYS = [Way('one by one', (50, 60), [('high_c = 10', (50, 10), (50, 60)), ('low_c = 0', (0, 60), (0, 60))]),
          Way('atomically', (50, 60), [('high_c = 10, low_c = 0', (0, 10), (0, 10))])]
 
-_COPIED = (Move('/a variable', '/a used'), Move('/b parameter', '/b used'))
-_COPIES = ['/a parameter', '/a variable', '/a used', '/b parameter', '/b used']
 
 DIAGRAMS = {
     'calls': draw_calls('this notebook', _CALLS),
@@ -74,11 +71,7 @@ DIAGRAMS = {
         45, '45', 'The parameter value for opening_mm is not a valid step')),
     'number_line_locked': draw_number_line('/gripper', 'serial', Scale.around(7), 7, is_locked=True, request=Attempt(
         None, "'x'", 'serial is read-only')),
-    'plane': draw_plane(('low_c', 'high_c'), _PAIRS, _WAYS),
-    'trail_copies': draw_trail('speed', _COPIES, [
-        Moment('so far', '', dict.fromkeys(_COPIES, '100'), _COPIED),
-        Moment('set to 150', 'the copy is stale', dict(zip(_COPIES, ('150', '100', '100', '150', '150'), strict=True)),
-               (Move('', '/a parameter'), Move('', '/b parameter'), *_COPIED))])}
+    'plane': draw_plane(('low_c', 'high_c'), _PAIRS, _WAYS)}
 
 
 def _robot(settings: Settings, motion: Motion, **others) -> Robot:

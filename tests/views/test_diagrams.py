@@ -86,29 +86,6 @@ def test_the_ways_in_a_plane_are_those_of_real_requests_and_the_node_has_what_it
     assert ParameterClient(weather).get_parameters(['low_c', 'high_c']) == {'low_c': -5, 'high_c': 40}
 
 
-# -- copies --------------------------------------------------------------------------------------------------
-
-class Mover(Node):
-    def __init__(self, name):
-        super().__init__(name)
-        self.speed = self.declare_parameter('speed', 1).value
-        self.used = 0
-        self.create_timer(0.01, self.drive)
-
-    def drive(self):
-        self.used = self.speed if self.get_name() == 'copies' else self.get_parameter('speed').value
-
-
-def test_a_new_value_stops_at_the_parameter_of_the_node_that_copies(ros):
-    copies, reads = ros.add(Mover, 'copies'), ros.add(Mover, 'reads')
-    wait_until(lambda: copies.used == reads.used == 1, 'both to use the first value')
-    view = views.CopiesView(copies, reads, 'speed', used='used')
-    view.set_parameter(2)
-    assert view.text.endswith(
-        '/copies parameter 2, /copies variable 1, /copies used 1, /reads parameter 2, /reads used 2; '
-        'the copy is stale.')
-
-
 # -- the ladder ----------------------------------------------------------------------------------------------
 
 def test_a_value_climbs_down_the_ladder_or_returns_from_it_and_another_is_typed(ros, robot):

@@ -9,7 +9,7 @@ from param_tutorial.views import record_change
 from param_tutorial.views.set_recorder import follow_sets
 
 
-# What chapter 5.2 calls the ladder; claims.md, section 2 (a).
+# The ladder of callbacks; claims.md, section 2 (a).
 def test_a_change_is_recorded_rung_by_rung(robot):
     timeline = record_change(robot, 'speed', 900)
     assert [(step.what, step.happened, step.stored) for step in timeline.steps] == [

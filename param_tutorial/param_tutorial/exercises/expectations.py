@@ -219,7 +219,7 @@ class NotesQuestions(Node):
 
 
 def start_asking(trial: Trial) -> Any:
-    """Start the learner's node, which is to ask a rover, and expect its clients to find their services.
+    """Start the learner's node, which is to ask another one, and expect its clients to find their services.
 
     :return: The node, whose class is now derived from NotesQuestions.
     :raises NoUse: it creates no client, or one for a service that there is not.
@@ -233,7 +233,7 @@ def start_asking(trial: Trial) -> Any:
         raise
     clients = list(node.clients)
     if not clients:
-        raise NoUse('the constructor creates a client for a service of `/rover`', 'it creates none')
+        raise NoUse('the constructor creates a client', 'it creates none')
     for client in clients:
         _expect_service(trial, client)
     return node

@@ -22,12 +22,11 @@ from typing import NamedTuple, cast
 import rclpy
 
 from param_tools.errors import NodeError, WaitTimeoutError
-from param_tools.ros.service_types import SERVICE_TYPES
 from param_tools.ros.waiting import wait, wait_until
 from param_tools.values import DOUBLE, INTEGER
 from param_tutorial.exercises.exercise import Exercise, Kind
 from param_tutorial.exercises.expectations import expect_accepted, expect_rejected, take_type_for_granted
-from param_tutorial.exercises.trial import CORNER, GROUP_IS_BUSY, STUCK, NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.trial import CORNER, GROUP_IS_BUSY, STUCK, NotYet, NoUse, Trial, expect, moved_to
 from param_tutorial.notebook.terminal import Terminal
 
 PROGRAM = Kind('the name of the file that the cell above writes, in quotes',
@@ -126,9 +125,7 @@ def running(trial: Trial, exercise: Exercise, words: str = '', start: Start = st
     :raises NoUse: there is none, or its node doesn't come, or doesn't answer.
     """
     namespace = f'/program_{next(_numbers)}'
-    # A service of /rover is, for this program, that of the /rover beside it.
-    moved = [f'/rover/{service}:={CORNER}{namespace}/rover/{service}' for service in SERVICE_TYPES]
-    remapped = ' '.join(f'-r {rule}' for rule in (f'__ns:={CORNER}{namespace}', *moved))
+    remapped = ' '.join(f'-r {rule}' for rule in moved_to(f'{CORNER}{namespace}'))
     before = Counter(trial.ros.services.node_names(hidden=True))
     terminal = start(trial, f'--ros-args {remapped} {words}')
     file = _source_file(trial, exercise)

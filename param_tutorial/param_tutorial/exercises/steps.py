@@ -1,6 +1,6 @@
 """Steps of the reader's own package as answers: the check makes the driver's node in its corner, and is its base."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +9,7 @@ from rclpy.node import Node
 from sensor_msgs.msg import Range
 
 from param_tutorial.exercises.exercise import Kind
-from param_tutorial.exercises.trial import NoUse, Trial, expect
+from param_tutorial.exercises.trial import NoUse, Trial, cleared, expect
 from param_tutorial.learner.package_files import PackageFiles
 from param_tutorial.package.following import FollowedPackage
 from param_tutorial.package.loading import LoadError, load_node_class
@@ -36,20 +36,28 @@ def _is_package(work: Any) -> bool:
     return isinstance(work, (FollowedPackage, PackageFiles))
 
 
-DRIVER = Kind('your package, as `Package(...)` has returned it', _is_package, 'package', _class_in('driver_node.py'))
+PACKAGE = Kind('your package, as `Package(...)` has returned it', _is_package, 'package',
+               lambda work: getattr(work, 'files', work))
+"""The files of the reader's package."""
+DRIVER = PACKAGE._replace(open=_class_in('driver_node.py'))
 """The class of nodes in the reader's driver."""
 DRIVER_PROGRAM = DRIVER._replace(open=lambda work: _path(work, 'driver_node.py'))
 """The file itself, as a program."""
+TUNER = DRIVER._replace(open=_class_in('tuner_node.py'))
+TUNER_PROGRAM = DRIVER._replace(open=lambda work: _path(work, 'tuner_node.py'))
 
 
 class Bench(Node):
-    """Stands in for the base of the reader's robot: hears what the driver commands, and tells it a distance."""
+    """Stands in for the base of the reader's robot: hears what the driver commands, and tells it a distance.
+
+    The wall is far at first, so a driver that stops before it drives in the earlier steps, too.
+    """
 
     def __init__(self) -> None:
         super().__init__('bench')
         self.speeds_mps: list[float] = []
         """All that was commanded, oldest first."""
-        self._distance_m: float | None = None
+        self._distance_m: float | None = 10.0
         self.create_subscription(Twist, 'cmd_vel', self._hear, 10)
         self._distances = self.create_publisher(Range, 'distance', 10)
         self.create_timer(0.05, self._tell)
@@ -57,13 +65,19 @@ class Bench(Node):
     def _hear(self, command: Twist) -> None:
         self.speeds_mps.append(command.linear.x)
 
-    def measure(self, distance_m: float) -> None:
-        """Tell the driver this distance from now on, again and again, as a sensor does."""
+    def measure(self, distance_m: float | None) -> None:
+        """Tell the driver this distance from now on, again and again, as a sensor does; None tells it nothing."""
         self._distance_m = distance_m
 
     def _tell(self) -> None:
         if self._distance_m is not None:
             self._distances.publish(Range(range=self._distance_m, max_range=50.0))
+
+
+def start_on_bench(trial: Trial, *words: str) -> tuple[Node, Bench]:
+    """Start the learner's driver, with arguments, beside a bench."""
+    bench = trial.start(Bench)
+    return trial.start(ros_args=words), bench
 
 
 def expect_commands(trial: Trial, bench: Bench) -> None:
@@ -78,8 +92,12 @@ def expect_commands(trial: Trial, bench: Bench) -> None:
                lambda: 'it has the publisher, and hardly uses it. Does a timer call the method that publishes?')
 
 
-def expect_speed(trial: Trial, bench: Bench, speed_mps: float, when: str) -> None:
-    """Expect the driver to command a speed, and to stay with it."""
+def expect_speed(trial: Trial, bench: Bench, speed_mps: float, when: str,
+                 because: Mapping[float, str] | None = None) -> None:
+    """Expect the driver to command a speed, and to stay with it.
+
+    :param because: For speeds that it may command instead, what to think of.
+    """
     expected = f'`linear.x` is {speed_mps!r} {when}'
     before = len(bench.speeds_mps)
 
@@ -91,6 +109,15 @@ def expect_speed(trial: Trial, bench: Bench, speed_mps: float, when: str) -> Non
         if not bench.speeds_mps:
             return 'nothing is published on `cmd_vel`'
         found = bench.speeds_mps[-1]
-        return f'it is {found!r}' + ('. Does the node set `linear.x`, and to a float?' if not found else '')
+        remark = (because or {}).get(found) or ('' if found else 'Does the node set `linear.x`, and to a float?')
+        return f'it is {found!r}' + (f'. {remark}' if remark else '')
 
     trial.wait(is_commanded, expected, happened)
+
+
+def expect_start_speeds(trial: Trial) -> None:
+    """Expect the driver to command the speed with which it has started, the default or an override."""
+    for speed_mps, *words in ((0.5,), (0.75, '-p', 'max_speed_mps:=0.75')):
+        with cleared(trial.ros):
+            _, bench = start_on_bench(trial, *words)
+            expect_speed(trial, bench, speed_mps, f'after a start with `max_speed_mps = {speed_mps}`')

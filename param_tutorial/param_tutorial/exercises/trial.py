@@ -60,6 +60,12 @@ _NOT_A_PARAMETER_FILE = re.compile(r"Couldn't parse params file: .*? Error: (.*?
 _NODE_KEY = re.compile(rf'(["\']?)(?!/?\*\*|{CORNER}/)/?(?=[\w*])')
 
 
+def moved_to(namespace: str) -> list[str]:
+    """Return the rules that put a node into a namespace, and let it find the nodes there that an exercise names."""
+    return [f'__ns:={namespace}', *(f'{node}/{service}:={namespace}{node}/{service}'
+                                    for node in ('/rover', '/driver') for service in SERVICE_TYPES)]
+
+
 class NotYet(Exception):
     """A requirement is not met."""
 
@@ -166,9 +172,7 @@ class Trial:
         :raises NoUse: it cannot send its descriptors.
         """
         node_class = node_class or self.work
-        # A service of /rover is, for this node, that of the /rover in the corner.
-        moved = [f'/rover/{service}:={CORNER}/rover/{service}' for service in SERVICE_TYPES]
-        remapped = [word for rule in (f'__ns:={CORNER}{namespace}', *moved) for word in ('-r', rule)]
+        remapped = [word for rule in moved_to(f'{CORNER}{namespace}') for word in ('-r', rule)]
         # At the end, where it opens no block of parameters before others do.
         fewer = [] if all_services else ['-p', 'start_type_description_service:=false']
         try:
@@ -298,7 +302,7 @@ class Trial:
             wait_until(lambda: condition() or self._failure(), expected, limit_sec)
         except WaitTimeoutError:
             self._has_waited_in_vain = True
-            raise NotYet(expected, f'{happened()}, after {limit_sec:g} s') from None
+            raise NotYet(expected, f'after {limit_sec:g} s, {happened()}') from None
         if not condition():  # looked at again: it may have come true before the failure
             raise NotYet(expected, happened())
 

@@ -1,7 +1,7 @@
 """The reader's own ROS 2 package, ``my_robot``: its files, what is kept of them, and ours to go on with. No ROS.
 
 ``steps/`` holds the package as it should stand after each step of the course: for each step a folder with the files
-that it changes. A step goes by the number of its exercise, such as '3c'. '2' stands for all of chapter 2.
+that it changes. A step goes by the number of its exercise, such as '3c'; '2' is what ``ros2 pkg create`` writes.
 """
 
 import atexit
@@ -88,6 +88,7 @@ class PackageFiles:
     """The files of the reader's package, in a folder of lessons."""
 
     def __init__(self, lessons: Path):
+        self.lessons = lessons
         self.root = lessons / WORKSPACE / 'src' / NAME
         self.backups = lessons / WORKSPACE / 'backups'
 
@@ -103,12 +104,22 @@ class PackageFiles:
         os.chdir(folder)
         return cls(folder)
 
-    def path(self, name: str) -> Path:
-        """Return the path of a file.
+    @classmethod
+    def apart(cls) -> 'PackageFiles':
+        """Return those in a folder that is empty, and goes with this process."""
+        return cls(_temporary_folder() / 'apart')
 
-        :param name: Its path in the package, or that of a node's file without its folder: 'driver_node.py'.
+    @staticmethod
+    def place(name: str) -> str:
+        """Return the path of a file in the package.
+
+        :param name: The same, or the name of a node's file without its folder: 'driver_node.py'.
         """
-        return self.root / (f'{NAME}/{name}' if name.endswith('_node.py') and '/' not in name else name)
+        return f'{NAME}/{name}' if name.endswith('_node.py') and '/' not in name else name
+
+    def path(self, name: str) -> Path:
+        """Return the path of a file; for its name, see ``place``."""
+        return self.root / self.place(name)
 
     def text(self, name: str) -> str:
         """Return the text of a file; it is empty if there is none.
@@ -154,12 +165,13 @@ class PackageFiles:
 
     def back_up(self, name: str, new: str, stamp: str = '') -> Path | None:
         """Keep a file as it is, if another text is to take its place; return where it is kept."""
-        path, before = self.path(name), self.text(name)
-        place = path.relative_to(self.root)
-        if not before.strip() or before in (new, *(ours(step).get(place.as_posix()) for step in steps())):
+        place, before = self.place(name), self.text(name)
+        if not before.strip() or before in (new, *(ours(step).get(place) for step in steps())):
             return None
         kept = self.backups / (stamp or time_stamp()) / place
         _write_text(kept, before)
+        # A second package of this name, and colcon builds none.
+        _write_text(self.backups / 'COLCON_IGNORE', '')
         return kept
 
     def _write(self, name: str, text: str) -> None:

@@ -17,7 +17,7 @@ import time
 import weakref
 from collections.abc import Callable
 from pathlib import Path
-from tempfile import TemporaryDirectory
+from tempfile import TemporaryDirectory, mkdtemp
 
 from param_tools.cli.command import process_words
 from param_tools.errors import ParameterToolError
@@ -41,7 +41,7 @@ class ShellError(ParameterToolError):
 
 
 class Shell:
-    """A real bash, in a home folder of its own that goes when the shell is closed.
+    """A real bash, in a home folder that is not the user's.
 
     >>> shell = Shell()                        # doctest: +SKIP
     >>> print(shell.run('mkdir src; ls'))      # doctest: +SKIP
@@ -52,21 +52,22 @@ class Shell:
     the seconds that colcon took. A command that goes on until Ctrl+C belongs in a ``Terminal``.
     """
 
-    def __init__(self, beside: 'Shell | None' = None):
+    def __init__(self, beside: 'Shell | None' = None, home: Path | None = None):
         """Start a bash, in the ROS domain of this process.
 
         :param beside: Share this shell's home folder, as a second terminal does, and nothing else.
+        :param home: The home folder, which stays; by default a new one, which goes when the shell is closed.
         :raises FileNotFoundError: there is no bash.
         """
         domain.choose()
         self._beside = beside  # so that the home folder stays as long as anybody lives in it
+        folder = None
         if beside:
-            folder = None
             home = beside.home
-        else:
+        elif home is None:
             folder = TemporaryDirectory(prefix='param_tutorial_', ignore_cleanup_errors=True)
-            home = Path(folder.name).resolve()
-        self.home: Path = home
+            home = Path(folder.name)
+        self.home: Path = home.resolve()
         """The home folder."""
         self.status = 0
         """The exit status of the last command."""
@@ -195,9 +196,9 @@ def _programs_without_space(home: Path) -> tuple[Path, str]:
     programs = Path(sys.executable).parent
     if not re.search(r'\s', str(programs)):
         return programs, ''
-    link = home / '.python'
-    if not link.is_symlink():
-        link.symlink_to(programs.parent)
+    link = Path(mkdtemp() if re.search(r'\s', str(home)) else home, '.python')
+    link.unlink(missing_ok=True)
+    link.symlink_to(programs.parent)
     program = 'import sys; from colcon_core.command import main; sys.exit(main())'
     return link / programs.name, shlex.join([str(link / programs.name / 'python'), '-c', program])
 

@@ -83,7 +83,7 @@ function render({model, el}) {
   for (const each of ['autocapitalize', 'autocomplete', 'autocorrect']) area.setAttribute(each, 'off');
   const colors = make('pre', {className: 'file-colors', ariaHidden: 'true'});
   const numbers = make('pre', {className: 'file-numbers', ariaHidden: 'true'});
-  const save = make('button', {type: 'button', className: 'file-save'}, 'Save and run');
+  const save = make('button', {type: 'button', className: 'file-save'}, 'Save');
   const status = make('p', {className: 'file-status'});
   status.setAttribute('role', 'status');
   const keys = make('span', {id: hint, className: 'file-keys'}, 'Ctrl+S saves. Esc and then Tab leaves the editor.');

@@ -9,7 +9,7 @@ from typing import NamedTuple, cast
 from IPython import get_ipython
 from rclpy.node import Node
 
-from param_tools.ros import stage
+from param_tools.ros import host, stage
 from param_tools.ros.executor import Failure
 from param_tools.ros.listeners import Listeners
 from param_tools.ros.schedule import Job
@@ -51,7 +51,7 @@ class FollowedPackage:
     def __init__(self, chapter: str, *names: str):
         """
         :param chapter: Its number, such as '3' or '5.2'. The package has at least what the chapters before ask for:
-            files that are missing are ours.
+            files that are missing are ours. Chapter 2 makes the package, and no node is in it yet.
         :param names: The files whose nodes the stage runs; by default that of the driver.
         :raises PackageError: a file cannot be written, or there is no such chapter.
         :raises ExecutorError: the stage has not been started.
@@ -60,15 +60,25 @@ class FollowedPackage:
         if _open is not None:
             _open.close()
         self.files = PackageFiles.of_learner()
+        makes_package = chapter == steps()[0]
+        if makes_package and 'rclpy' in self.files.text('driver_node.py'):
+            print(f'Your {self.files.root.name} is further than this chapter, and stays as it is. The chapter works in '
+                  'another folder, which is empty and goes with the kernel.')
+            self.files = PackageFiles.apart()
+        self.home = self.files.lessons
+        """The folder of the lessons, in which a chapter's shells begin."""
         self.root = self.files.root
         """The folder of the package that the stage runs: the reader's, or a copy of ours."""
         self._lock = threading.RLock()
         self._listeners: Listeners[[]] = Listeners()
-        self._step = last_step_before(chapter)
-        self._programs = [_Program(name) for name in names or ('driver_node.py',)]
-        self.files.lay_out(self._step)
+        self._step = '' if makes_package else last_step_before(chapter)
+        self._programs = [_Program(name) for name in names or ('driver_node.py',)] if self._step else []
+        # Where there is a shell, the reader types the command that writes the first step.
+        if not (makes_package and host.host.has_processes):
+            self.files.lay_out(self._step or chapter)
         self.base = cast(BaseNode, stage.current().add(BaseNode))
-        self.need(self._step)
+        if self._step:
+            self.need(self._step)
         self._job = Job(self._look_again, _LOOK_SEC)
         self._job.wake()
         if shell := get_ipython():
@@ -112,9 +122,9 @@ class FollowedPackage:
         progress = own_progress()
         solved = passed | set(progress.read()[0].solved if progress else ())
         later = steps()[steps().index(self._step):]
-        return self._step in solved or any(
+        return self._step in solved or (bool(self._programs) and any(
             all(self.files.text(each.name) == ours(step).get(f'{self.files.root.name}/{each.name}', '')
-                for each in self._programs) for step in later)
+                for each in self._programs) for step in later))
 
     def take_ours(self, step: str = '') -> None:
         """Put ours in the place of the reader's files, which are kept in ``ros2_ws/backups/``, and run it.
@@ -141,8 +151,9 @@ class FollowedPackage:
 
         :raises PackageError: there is no such step.
         """
-        before = ours(since).get(f'{self.files.root.name}/{name}', '').splitlines()
-        now = (self.root / self.files.root.name / name).read_text(encoding='utf-8').splitlines()
+        place = self.files.place(name)
+        before = ours(since).get(place, '').splitlines()
+        now = (self.root / place).read_text(encoding='utf-8').splitlines()
         print('\n'.join(list(difflib.unified_diff(before, now, lineterm='', n=1))[2:]))
 
     def node(self, name: str = 'driver_node.py') -> Node | None:
@@ -151,7 +162,7 @@ class FollowedPackage:
 
     def status(self, name: str = 'driver_node.py') -> Status:
         """Return what became of a file when it was run last."""
-        return next((each.status for each in self._programs if each.name == name), Status(''))
+        return next((each.status for each in self._programs if each.name == name), Status('Saved.'))
 
     @property
     def statuses(self) -> list[Status]:
@@ -172,7 +183,7 @@ class FollowedPackage:
 
         :param name: One that is to be run in any case.
         """
-        changed = False
+        changed = bool(name)
         with self._lock:
             for program in self._programs:
                 text = self.files.text(program.name)
@@ -193,6 +204,9 @@ class FollowedPackage:
     def _run(self, program: _Program) -> None:
         """Put the node of a file onto the stage, in the place of the one before; if that fails, that one again."""
         before, path = program.node_class, self.root / self.files.root.name / program.name
+        if not path.exists():
+            program.status = Status(f'There is no {program.name} yet.')
+            return
         try:
             node_class = load_node_class(path, self.root)
             node = self._add(node_class, path)

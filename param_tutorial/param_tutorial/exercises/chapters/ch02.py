@@ -1,67 +1,41 @@
-"""Exercises of chapter 2: put the lines of a terminal in order, complete a package that is really built, and find a
-program as ``ros2 run`` does."""
+"""Exercises of chapter 2: the reader's package says what it needs, its program is built and run; and two small ones
+beside it: the lines of an empty terminal, and the line of an entry point."""
 
 import functools
 import os
 import re
 import shlex
-import signal
 import subprocess
 import sys
 import tempfile
-from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
+from xml.etree import ElementTree
 
 from param_tools.cli.run import find_program
 from param_tools.cli.session import CommandFailed
 from param_tools.errors import ParameterToolError
 from param_tools.ros import host
 from param_tools.ros.waiting import PATIENCE, wait
-from param_tutorial.exercises.exercise import DICTIONARY, FUNCTION, TEXT, Exercise
-from param_tutorial.exercises.programs import describe_end, describe_exception
-from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.exercise import TEXT, Exercise
+from param_tutorial.exercises.programs import describe_exception
+from param_tutorial.exercises.steps import PACKAGE
+from param_tutorial.exercises.trial import NoUse, Trial, expect, take_for_granted
+from param_tutorial.learner.package_files import PackageFiles
 from param_tutorial.notebook.shell import NO_SHELL, Shell
 from param_tutorial.notebook.terminal import Terminal
 
 CHAPTER = '02_workspace'
+CREATE = 'Create it'
 BUILD = 'Build it'
 SOURCE = 'Source it'
-OVERLAY = 'One workspace on top of another'
-NODE = 'A node, and its entry point'
-COPY = 'Break it: a `setup.py` to copy'
-ENTRY = 'Build it: one line, in the right place'
+ENTRY = 'What a program is called'
+EDIT = 'Edit it, and run it'
 
-READY = 'The lift is ready.'
 INDEX = 'share/ament_index/resource_index/packages'
-MARKER = f'{INDEX}/lift'
-PROGRAM = 'lib/lift/lift_node'
-# Another package, with two programs.
-CRANE = f'{INDEX}/crane', 'lib/crane/hook', 'lib/crane/arm'
 # A slow machine takes a few seconds.
 BUILD_LIMIT_SEC = 8.0
 LINES_LIMIT_SEC = 6.0
-# A program that still waits after this long waits for Ctrl+C.
-STAYS_SEC = 1.0
-
-SETUP, SOURCE_FILE = 'setup.py', 'lift/lift_node.py'
-# The package of the first two exercises, apart from these two files.
-LIFT = {
-    'package.xml': '<package format="3"><name>lift</name><version>0.0.0</version></package>\n',
-    'setup.cfg': '[develop]\nscript_dir=$base/lib/lift\n[install]\ninstall_scripts=$base/lib/lift\n',
-    'resource/lift': '',
-    'lift/__init__.py': '',
-}
-
-
-class Ran(NamedTuple):
-    """How the executable of a package ran, until Ctrl+C or its own end."""
-
-    printed: str
-    went_on: bool
-    """True if only Ctrl+C ended it."""
-    complaint: str
-    """What is wrong with its end; empty if nothing is."""
 
 
 class Built(NamedTuple):
@@ -71,21 +45,22 @@ class Built(NamedTuple):
     """The last line that the build printed, if it failed; else empty."""
     installed: frozenset[str]
     """Each file in the install space."""
-    ran: Ran
-
-
-NEVER_RAN = Ran('', False, '')
+    printed: str
+    """What the program has printed, if there is one."""
 
 
 @functools.lru_cache(maxsize=4)
-def build(setup: str, node: str) -> Built:
-    """Build the package with a setup.py and the file of its node, in a scratch workspace, and run its executable.
+def build(package: str, program: str, files: tuple[tuple[str, str], ...]) -> Built:
+    """Build a package in a scratch workspace, and run a program of it as ``ros2 run`` does.
 
     setuptools gets the arguments that colcon gives it. colcon itself takes five seconds, and writes a missing marker.
+
+    :param files: The path of each in the package, and its text.
+    :raises NoUse: it cannot be built here.
     """
     with tempfile.TemporaryDirectory(prefix='param_tutorial_') as folder:
         root, install = Path(folder, 'src'), Path(folder, 'install')
-        for name, text in {**LIFT, SETUP: setup, SOURCE_FILE: node}.items():
+        for name, text in files:
             root.joinpath(name).parent.mkdir(parents=True, exist_ok=True)
             root.joinpath(name).write_text(text, encoding='utf-8')
         Path(folder, 'build').mkdir()
@@ -95,13 +70,14 @@ def build(setup: str, node: str) -> Built:
                                   '../build/record', '--single-version-externally-managed'], root)
         if status:
             last = printed.strip().splitlines()[-1:] or [f'exit status {status}']
-            return Built(last[0], frozenset(), NEVER_RAN)
+            return Built(last[0], frozenset(), '')
         installed = frozenset(str(path.relative_to(install)) for path in install.rglob('*') if path.is_file())
         try:
-            program, = find_program('lift', 'lift_node', {'AMENT_PREFIX_PATH': str(install)})
+            path, = find_program(package, program, {'AMENT_PREFIX_PATH': str(install)})
         except CommandFailed:
-            return Built('', installed, NEVER_RAN)
-        return Built('', installed, _run(program, install, root / SOURCE_FILE))
+            return Built('', installed, '')
+        modules = next(install.glob('lib/python*/site-packages'), install)
+        return Built('', installed, _run(shlex.quote(path), {'PYTHONPATH': str(modules)}))
 
 
 def _build(words: list[str], folder: Path) -> tuple[int, str]:
@@ -126,215 +102,153 @@ def _build(words: list[str], folder: Path) -> tuple[int, str]:
     return process.returncode, printed
 
 
-def _run(program: str, install: Path, source: Path) -> Ran:
-    """Start a program as ``ros2 run`` does, and press Ctrl+C once it waits."""
-    modules = next(install.glob('lib/python*/site-packages'), install)
-    terminal = Terminal(shlex.quote(program), variables={'PYTHONPATH': str(modules)})
+def _run(command: str, variables: dict[str, str] | None = None) -> str:
+    """Return what a program prints until it ends, or is ended."""
+    terminal = Terminal(command, variables=variables)
     try:
-        wait(lambda: READY in terminal.text or not terminal.is_running, BUILD_LIMIT_SEC)
-        terminal.wait_until_idle(LINES_LIMIT_SEC)
-        if wait(lambda: not terminal.is_running, STAYS_SEC):
-            return Ran(terminal.text, False, describe_end(terminal, source))
-        status = terminal.interrupt(LINES_LIMIT_SEC)
-        complaint = describe_exception(terminal.text, source)
-        if not complaint and status not in (0, -signal.SIGINT, 128 + signal.SIGINT):
-            complaint = f'its exit status is {status}, which stands for an error'
-        return Ran(terminal.text, True, complaint)
+        wait(lambda: not terminal.is_running, LINES_LIMIT_SEC)
     finally:
         terminal.interrupt(LINES_LIMIT_SEC)
+    return terminal.text
 
 
-def texts(trial: Trial) -> tuple[str, str]:
-    """Return the learner's two files.
+def expect_program(built: Built, package: str, program: str) -> None:
+    """Expect a package to be built, and to have a program.
 
-    :raises NoUse: one is missing.
+    :raises NoUse: it is not, or has not.
     """
-    for name in (SETUP, SOURCE_FILE):
-        if not isinstance(trial.work.get(name), str):
-            raise NoUse(f'the text of `{name}` in the dictionary', f'there is `{trial.work.get(name)!r}`')
-        if not trial.work[name].strip():
-            raise NoUse(f'the text of `{name}`', 'it is empty')
-    return trial.work[SETUP], trial.work[SOURCE_FILE]
+    if built.complaint:
+        raise NoUse('a build without an error', built.complaint)
+    programs = sorted(name for name in built.installed if re.match(rf'(lib/{package}|bin)/[^.]+$', name))
+    if f'lib/{package}/{program}' not in programs:
+        raise NoUse(f'`lib/{package}/{program}`', 'there is ' + (', '.join(f'`{each}`' for each in programs) or 'none'))
 
 
-def built(trial: Trial) -> Built:
-    """Build the package with the learner's files.
+# -- 2a and 2d: the reader's package ---------------------------------------------------------------------------------
 
-    :raises NoUse: it cannot be built.
+NAME = 'my_robot'
+NEEDED = 'rclpy', 'geometry_msgs', 'sensor_msgs', 'rcl_interfaces'
+DRIVES = 'I drive my_robot.'
+
+fill = Exercise('2a', 'Fill in the gaps', CHAPTER, PACKAGE, hints=(
+    'Both gaps are marked by a *TODO*. Replace all that stands between the opening and the closing tag.',
+    'Each package takes a line, such as `<exec_depend>rclpy</exec_depend>`. They stand below the license, in any '
+    'order.'))
+
+
+def package_xml(files: PackageFiles) -> ElementTree.Element:
+    """Return the root of the reader's package.xml.
+
+    :raises NoUse: ROS would not take it.
     """
-    result = build(*texts(trial))
-    if result.complaint:
-        raise NoUse('a build without an error', result.complaint)
-    return result
-
-
-mend = Exercise('2b', 'Complete a package', CHAPTER, DICTIONARY, hints=(
-    'Compare the `setup.py`, line by line, with the one that `ros2 pkg create` writes: the section “Create it” shows '
-    'one. And compare the node with the one in the section “A node, and its entry point”.',
-    '`data_files` is a list of pairs: a folder in the install space, and the files that go there. The marker goes to '
-    '`share/ament_index/resource_index/packages`. In the source, it is in the folder `resource`.',
-    'An entry point is `name = package.module:function`. Here the module is `lift_node`, in the package `lift`.',
-    '`main` has a `try:` with two lines in it, `rclpy.init(args=args)` and `rclpy.spin(Lift())`. It catches '
-    '`KeyboardInterrupt` and `ExternalShutdownException`. Both names need an import above the class: `rclpy`, and the '
-    'exception from `rclpy.executors`.'))
-
-
-@mend.require('the package builds', see=COPY)
-def builds(trial: Trial) -> None:
-    if not built(trial).installed:
-        raise NoUse('the build installs something', 'it installs nothing: does the file call `setup(...)`?')
-
-
-@mend.require('`package.xml` is in the share folder of the package', see=COPY)
-def package_xml(trial: Trial) -> None:
-    expect('share/lift/package.xml' in built(trial).installed, '`share/lift/package.xml`', 'it is not there')
-
-
-@mend.require('the marker is where ROS looks for packages', see=BUILD)
-def marker(trial: Trial) -> None:
-    installed = built(trial).installed
-    shares = sorted(name for name in installed if name.startswith('share/'))
-    if MARKER not in installed:
-        raise NoUse(f'`{MARKER}`', 'what is installed in `share` is '
-                    + (', '.join(f'`{name}`' for name in shares) or 'nothing'))
-
-
-@mend.require('there is an executable `lift_node`', see=ENTRY)
-def executable(trial: Trial) -> None:
-    programs = sorted(name for name in built(trial).installed
-                      if name.startswith(('lib/lift/', 'bin/')) and '.' not in name)
-    if PROGRAM not in programs:
-        raise NoUse(f'`{PROGRAM}`', 'there is ' + (', '.join(f'`{name}`' for name in programs) or 'none'))
-
-
-@mend.require(f'`ros2 run lift lift_node` starts the node, which logs “{READY}”', see=NODE)
-def starts(trial: Trial) -> None:
-    ran = built(trial).ran
-    if READY not in ran.printed:
-        last = ran.printed.strip().splitlines()[-1:] or ['nothing']
-        raise NoUse(f'it logs “{READY}”', f'it prints {last[0]}' if ran.went_on else ran.complaint)
-
-
-@mend.require('the node stays until Ctrl+C, which ends it without a traceback', see=NODE)
-def stays(trial: Trial) -> None:
-    ran = built(trial).ran
-    expect(ran.went_on, 'a program that goes on until Ctrl+C', ran.complaint)
-    expect(not ran.complaint, 'Ctrl+C ends it without a traceback', ran.complaint)
-
-
-find = Exercise('2c', 'Be `ros2 run`', CHAPTER, FUNCTION, hints=(
-    'Go through the prefixes in their order. Check whether the package’s marker is in each: '
-    '`(prefix / "share/ament_index/resource_index/packages" / package).exists()`.',
-    'The first prefix with the marker decides, and you look at no other. The program is in its '
-    '`lib/package/program`, or nowhere.',
-    'Return one of two sentences if there is no program: `No executable found` from inside the loop, and after it '
-    "`Package 'lift' not found`, with the name of the package."))
-
-
-def find_in(trial: Trial, spaces: Mapping[str, Sequence[str]], package: str, program: str) -> tuple[str, str]:
-    """Return what the function answers, and what ``ros2 run`` does.
-
-    :param spaces: For each install space, in the order of AMENT_PREFIX_PATH, the files in it.
-    :raises NoUse: the function raises an exception.
-    """
-    with tempfile.TemporaryDirectory(prefix='param_tutorial_') as folder:
-        for space, names in spaces.items():
-            Path(folder, space).mkdir()
-            for name in names:
-                path = Path(folder, space, name)
-                path.parent.mkdir(parents=True, exist_ok=True)
-                path.touch(0o755)
-        prefixes = [Path(folder, space) for space in spaces]
-        try:
-            right, = find_program(package, program, {'AMENT_PREFIX_PATH': os.pathsep.join(map(str, prefixes))})
-        except CommandFailed as failure:
-            right = str(failure)
-        try:
-            given = trial.call('your function', trial.work, package, program, prefixes)
-        except NotYet as error:  # it may raise it again wherever it should return a sentence
-            raise NoUse(error.expected, error.happened) from None
-    answer = str(given) if isinstance(given, (str, Path)) else repr(given)
-    return answer.replace(f'{folder}/', ''), right.replace(f'{folder}/', '')
-
-
-def expect_finds(trial: Trial, spaces: Mapping[str, Sequence[str]], package: str = 'lift',
-                 program: str = 'lift_node', *, wrong: Mapping[str, str] | None = None) -> None:
-    """Expect the function to answer as ``ros2 run`` does.
-
-    :param wrong: For wrong answers that one may well give, what to think of.
-    """
-    answer, right = find_in(trial, spaces, package, program)
-    because = (wrong or {}).get(answer, '')
-    expect(answer == right, f'`{right}`, as `ros2 run {package} {program}` says',
-           f'it returns `{answer}`' + (f'. {because}' if because else ''))
-
-
-@find.require('it finds a program that is there', see=BUILD)
-def found(trial: Trial) -> None:
+    text = files.text('package.xml')
+    if not text.strip():
+        raise NoUse('a `package.xml` in your package', 'there is none, or nothing in it')
     try:
-        expect_finds(trial, {'first': (MARKER, PROGRAM)})
-    except NotYet as error:  # an answer that never finds anything meets no other requirement either
-        raise NoUse(error.expected, error.happened) from None
-    for program in ('hook', 'arm'):
-        expect_finds(trial, {'first': (*CRANE, MARKER, PROGRAM)}, 'crane', program)
+        root = ElementTree.fromstring(text.encode())
+    except ElementTree.ParseError as error:
+        line, _ = error.position
+        shown = text.splitlines()[min(line, text.count('\n')) - 1].strip()
+        raise NoUse('a `package.xml` that can be read', f'{error}: `{shown}`') from None
+    for tag, wanted in (('name', NAME), ('export/build_type', 'ament_python')):
+        found = (root.findtext(tag) or '').strip()
+        if found != wanted:
+            raise NoUse(f'a `package.xml` that says `{wanted}` in `<{tag.rpartition("/")[2]}>`', f'it says `{found}`')
+    return root
 
 
-@find.require('it passes over an install space without the marker, whatever else is there', see=SOURCE)
-def no_marker(trial: Trial) -> None:
-    words = 'Without the marker, ROS does not know the package'
-    expect_finds(trial, {'first': (PROGRAM,)}, wrong={f'first/{PROGRAM}': words})
-    expect_finds(trial, {'first': (MARKER, 'lib/crane/hook')}, 'crane', 'hook', wrong={'first/lib/crane/hook': words})
-    expect_finds(trial, {'first': (PROGRAM,), 'second': (MARKER, PROGRAM)}, wrong={f'first/{PROGRAM}': words})
-    expect_finds(trial, {'first': CRANE, 'second': (), 'third': (MARKER, PROGRAM)})
-    # The marker of another package, whose name begins or ends like this one's.
-    for other in ('lift_tools', 'forklift'):
-        expect_finds(trial, {'first': (f'{INDEX}/{other}', f'lib/{other}/lift_node', PROGRAM)},
-                     wrong={f'first/{PROGRAM}': f'The marker there is that of `{other}`'})
-    expect_finds(trial, {})
+def expect_words(trial: Trial, tag: str) -> None:
+    """Expect an element with words of the reader's."""
+    found = ' '.join((package_xml(trial.work).findtext(tag) or '').split())
+    expect('TODO' not in found, f'words of yours in `<{tag}>`', f'it says `{found}`')
+    expect(found, f'words in `<{tag}>`', 'it is empty, or missing')
 
 
-@find.require('it says so if the package is there and the program is not', see=SOURCE)
-def no_program(trial: Trial) -> None:
-    expect_finds(trial, {'first': (MARKER, 'lib/lift/door_node')})
-    for other in ('lift_node_old', 'old_lift_node'):
-        expect_finds(trial, {'first': (MARKER, f'lib/lift/{other}')})
-    expect_finds(trial, {'first': (f'{INDEX}/crane', MARKER, PROGRAM)}, 'crane', 'hook')
+@fill.require('it says what the package is for', see=CREATE)
+def has_description(trial: Trial) -> None:
+    expect_words(trial, 'description')
 
 
-@find.require('of two install spaces with the package, the first one decides', see=OVERLAY)
-def overlaid(trial: Trial) -> None:
-    both = {'first': (MARKER, PROGRAM), 'second': (MARKER, PROGRAM)}
-    expect_finds(trial, both, wrong={f'second/{PROGRAM}': 'The overlay stands first, and hides the underlay'})
-    # What else it may answer here is the matter of the requirement above.
-    answer, right = find_in(trial, {'first': (MARKER, 'lib/lift/door_node'), 'second': (MARKER, PROGRAM)}, 'lift',
-                            'lift_node')
-    expect(answer != f'second/{PROGRAM}', f'`{right}`, as `ros2 run lift lift_node` says',
-           f'it returns `{answer}`. `ros2 run` finds the package in `first`, and looks no further')
+@fill.require('it names a license', see=CREATE)
+def has_license(trial: Trial) -> None:
+    expect_words(trial, 'license')
 
 
-order = Exercise('2a', 'Put a terminal in order', CHAPTER, TEXT, hints=(
-    'Ask of each line what it needs. `source`, for one, needs a file that only a build writes.',
-    '`colcon build` writes into the folder in which you call it, so the line that goes to the workspace comes first. '
-    'And `ros2 run` finds only what the terminal has sourced.'))
+@fill.require('it names the four packages that the driver needs when it runs', see=CREATE)
+def has_dependencies(trial: Trial) -> None:
+    root = package_xml(trial.work)
+    named = {(each.text or '').strip() for tag in ('depend', 'exec_depend') for each in root.findall(tag)}
+    missing = [each for each in NEEDED if each not in named]
+    elsewhere = sorted({each.tag for each in root.iter() if (each.text or '').strip() in missing})
+    expect(not missing, 'an `<exec_depend>` for each', 'there is none for ' + ', '.join(f'`{each}`' for each in missing)
+           + (f'. A `<{elsewhere[0]}>` says something else' if elsewhere else ''))
+
+
+says = Exercise('2d', 'What your driver says', CHAPTER, PACKAGE, hints=(
+    'The line to change is the one with `print`. What it prints stands in quotes; the rest of the file stays.',
+    'Save the file. Then type `colcon build` into the builder, in `~/ros2_ws`, and run this check again.'))
+
+
+@says.require(f'`ros2 run my_robot driver_node` prints “{DRIVES}”', see=EDIT)
+def prints(trial: Trial) -> None:
+    files: PackageFiles = trial.work
+    package_xml(files)
+    source = files.path('driver_node.py')
+    if host.host.has_processes:
+        texts = {path.relative_to(files.root).as_posix(): path.read_text(encoding='utf-8', errors='replace')
+                 for path in files.root.rglob('*') if path.is_file() and '__pycache__' not in path.parts}
+        built = build(NAME, 'driver_node', tuple(sorted(texts.items())))
+        expect_program(built, NAME, 'driver_node')
+        if f'{INDEX}/{NAME}' not in built.installed:
+            raise NoUse(f'the marker, `{INDEX}/{NAME}`', 'the build installs none. `data_files` in `setup.py` takes it '
+                        f'from `resource/{NAME}`')
+        printed = built.printed
+    else:
+        if not re.search(r"'driver_node *= *my_robot\.driver_node:main'", files.text('setup.py')):
+            raise NoUse('an entry point for `driver_node`', 'there is none in `setup.py`')
+        printed = _run(f'python3 {shlex.quote(str(source))}')
+    last = printed.strip().splitlines()[-1:]
+    expect(DRIVES in printed, f'it prints `{DRIVES}`', describe_exception(printed, source)
+           or (f'it prints `{last[0]}`' if last else 'it prints nothing'))
+
+
+@says.require('what you have built is your file as it is now', see=EDIT)
+def is_built_anew(trial: Trial) -> None:
+    take_for_granted(trial, prints)
+    files: PackageFiles = trial.work
+    now = files.text('driver_node.py')
+    copies = (files.lessons / 'ros2_ws' / 'install').rglob('driver_node.py')
+    expect(all(each.read_text(encoding='utf-8') == now for each in copies), 'a copy of it in the install space',
+           'the copy there is older. A build replaces it')
+
+
+# -- 2b: an empty terminal -------------------------------------------------------------------------------------------
+
+type_in = Exercise('2b', 'From an empty terminal', CHAPTER, TEXT, hints=(
+    'Ask of each line what it needs. `ros2 run` needs a terminal that has been told where to look, and the file that '
+    'tells it is written by a build.',
+    'Four lines: `cd` to the workspace, `colcon build`, `source` with the file that the build has written, and '
+    '`ros2 run` with the names of package and program.'))
 
 WORKSPACE = 'ros2_ws'
+MARKER, PROGRAM = f'{INDEX}/{NAME}', f'lib/{NAME}/driver_node'
 # What the build of the package would put into its install space; a real one takes half a minute on a slow machine.
 BUILT = {
-    f'lift/{MARKER}': '',
-    f'lift/{PROGRAM}': f'#!/bin/sh\necho started >> "$HOME/.started"\necho "{READY}"\n',
+    f'{NAME}/{MARKER}': '',
+    f'{NAME}/{PROGRAM}': '#!/bin/sh\necho started >> "$HOME/.started"\necho "Hi from my_robot."\n',
 }
 SETUP_FILES = 'setup.bash', 'setup.sh', 'local_setup.bash', 'local_setup.sh'
 # As the real one does, it builds what is anywhere below the folder in which it is called, and only what is selected.
 COLCON = f"""colcon() {{
     if [ "$1" != build ]; then echo 'colcon: this terminal has the verb build, and no other' >&2; return 2; fi
-    if [[ " $* " =~ " --packages-"(select|up-to)" " && " $* " != *" lift "* ]] ||
-       [[ " $* " =~ " --packages-"(skip|ignore)" " && " $* " == *" lift "* ]] ||
+    if [[ " $* " =~ " --packages-"(select|up-to)" " && " $* " != *" {NAME} "* ]] ||
+       [[ " $* " =~ " --packages-"(skip|ignore)" " && " $* " == *" {NAME} "* ]] ||
        [ -z "$(find . -name package.xml)" ]; then
         echo 'Summary: 0 packages finished'; return
     fi
     mkdir -p install build log; cp -r ~/.built/. install
     for name in {' '.join(SETUP_FILES)}; do
-        echo "export AMENT_PREFIX_PATH=\\"$PWD/install/lift:\\$AMENT_PREFIX_PATH\\"" > install/$name
+        echo "export AMENT_PREFIX_PATH=\\"$PWD/install/{NAME}:\\$AMENT_PREFIX_PATH\\"" > install/$name
     done
     echo 'Summary: 1 package finished'
 }}"""
@@ -359,9 +273,9 @@ def type_lines(lines: str) -> Typed:
     """
     shell = Shell()
     try:
-        source = shell.home / WORKSPACE / 'src' / 'lift'
+        source = shell.home / WORKSPACE / 'src' / NAME
         source.mkdir(parents=True)
-        (source / 'package.xml').write_text(LIFT['package.xml'], encoding='utf-8')
+        (source / 'package.xml').touch()
         for name, text in BUILT.items():
             path = Path(shell.home, '.built', name)
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -371,7 +285,7 @@ def type_lines(lines: str) -> Typed:
         printed = shell.run(lines, LINES_LIMIT_SEC)
         known = shell.environment().get('AMENT_PREFIX_PATH', '').split(os.pathsep)
         spaces = sorted(path.parent.relative_to(shell.home) for path in shell.home.rglob('install')
-                        if (path / 'lift' / MARKER).exists())
+                        if (path / NAME / MARKER).exists())
         in_place = [path for path in spaces if path == Path(WORKSPACE)]
         return Typed(printed, str([*in_place, *spaces][0]) if spaces else None,
                      any(Path(prefix, MARKER).exists() for prefix in known if prefix),
@@ -381,7 +295,7 @@ def type_lines(lines: str) -> Typed:
 
 
 def typed(trial: Trial) -> Typed:
-    """Type the learner's lines.
+    """Type the reader's lines.
 
     :raises NoUse: there are none, or they do not come to an end.
     """
@@ -393,7 +307,7 @@ def typed(trial: Trial) -> Typed:
         raise NoUse('the lines finish', str(error)) from None
 
 
-@order.require('the package is built, in its workspace', see=BUILD)
+@type_in.require('the package is built, in its workspace', see=BUILD)
 def is_built(trial: Trial) -> None:
     done = typed(trial)
     if done.built_in != WORKSPACE:
@@ -403,10 +317,10 @@ def is_built(trial: Trial) -> None:
             happened += f', but in `{folder}/install`: `colcon build` writes into the folder in which you call it'
         elif '0 packages' in done.printed:
             happened += ': `colcon build` has found no package that it should build'
-        raise NoUse(f'`~/{WORKSPACE}/install/lift`', happened)
+        raise NoUse(f'`~/{WORKSPACE}/install/{NAME}`', happened)
 
 
-@order.require('the terminal knows the package', see=SOURCE)
+@type_in.require('the terminal knows the package', see=SOURCE)
 def is_sourced(trial: Trial) -> None:
     done = typed(trial)
     if not done.is_sourced:
@@ -414,12 +328,69 @@ def is_sourced(trial: Trial) -> None:
             '. You can source a file only when it is there' if 'setup.bash: No such file' in done.printed else ''))
 
 
-@order.require('`ros2 run lift lift_node` starts the node', see=SOURCE)
+@type_in.require('`ros2 run my_robot driver_node` starts the program', see=SOURCE)
 def is_running(trial: Trial) -> None:
     done = typed(trial)
     complaints = [line.strip() for line in done.printed.splitlines() if re.search('not found|No executable', line)]
-    expect(done.is_started, f'the node starts, and prints “{READY}”', 'it does not start' + (
+    expect(done.is_started, 'the program starts', 'it does not start' + (
         f'; the terminal says `{complaints[0]}`' if complaints else ''))
 
 
-EXERCISES = (order, mend, find)
+# -- 2c: an entry point ----------------------------------------------------------------------------------------------
+
+name_it = Exercise('2c', 'One line for a lift', CHAPTER, TEXT, hints=(
+    'An entry point has three parts: `program = package.module:function`. What you type after `ros2 run lift` is the '
+    'first of them.',
+    'The module is the file without its ending, and the package comes first: `lift.cabin`.'))
+
+UP = 'The lift goes up.'
+LIFT = {
+    'setup.cfg': '[develop]\nscript_dir=$base/lib/lift\n[install]\ninstall_scripts=$base/lib/lift\n',
+    'resource/lift': '',
+    'lift/__init__.py': '',
+    'lift/cabin.py': f"def start():\n    print('{UP}')\n\n\ndef stop():\n    print('The lift stops.')\n",
+}
+SETUP = """from setuptools import setup
+
+setup(
+    name='lift',
+    version='0.0.0',
+    packages=['lift'],
+    data_files=[('share/ament_index/resource_index/packages', ['resource/lift'])],
+    entry_points={{'console_scripts': [{!r}]}},
+)
+"""
+
+
+def lift(trial: Trial) -> Built:
+    """Build a lift with the reader's line.
+
+    :raises NoUse: there is no line, or none can be built.
+    """
+    line = trial.work.strip().rstrip(',').strip('\'"')
+    if not line:
+        raise NoUse('a line', 'there is none')
+    if not re.fullmatch(r'[\w.-]+ *= *[\w.]+ *: *\w+', line):  # what setuptools says of it differs with its version
+        raise NoUse('a line such as `program = package.module:function`', f'it is `{line}`')
+    return build('lift', 'go_up', tuple({**LIFT, 'setup.py': SETUP.format(line)}.items()))
+
+
+@name_it.require('the package builds', see=ENTRY)
+def builds(trial: Trial) -> None:
+    if complaint := lift(trial).complaint:
+        raise NoUse('a build without an error', complaint)
+
+
+@name_it.require('there is a program `go_up`', see=ENTRY)
+def has_program(trial: Trial) -> None:
+    expect_program(lift(trial), 'lift', 'go_up')
+
+
+@name_it.require('`ros2 run lift go_up` calls the function `start` in `lift/cabin.py`', see=ENTRY)
+def calls_start(trial: Trial) -> None:
+    printed = lift(trial).printed
+    last = printed.strip().splitlines()[-1:] or ['nothing']
+    expect(UP in printed, f'it prints `{UP}`, as `start` does', f'it prints `{last[0]}`')
+
+
+EXERCISES = (fill, type_in, name_it, says)

@@ -16,8 +16,14 @@ from param_tutorial.exercises.expectations import (
     expect_start_value,
 )
 from param_tutorial.exercises.programs import require_ends, require_program, running
-from param_tutorial.exercises.steps import DRIVER, DRIVER_PROGRAM, Bench, expect_commands, expect_speed
-from param_tutorial.exercises.trial import NoStart, NotTried, Trial, cleared, expect, take_for_granted
+from param_tutorial.exercises.steps import (
+    DRIVER,
+    DRIVER_PROGRAM,
+    expect_commands,
+    expect_start_speeds,
+    start_on_bench,
+)
+from param_tutorial.exercises.trial import NoStart, NotTried, Trial, expect, take_for_granted
 
 CHAPTER = '03_declaring'
 OWN = 'A node of your own'
@@ -151,12 +157,6 @@ drives = Exercise('3c', 'It drives', CHAPTER, DRIVER, node_name='driver', hints=
     'The limits go into the declaration, as in the rover: a descriptor with `floating_point_range=[...]`.'))
 
 
-def start_on_bench(trial: Trial, *words: str) -> tuple[Node, Bench]:
-    """Start the learner's driver beside a bench."""
-    bench = trial.start(Bench)
-    return trial.start(ros_args=words), bench
-
-
 @drives.require('it publishes a `Twist` on `cmd_vel`, again and again', see=DRIVE)
 def publishes(trial: Trial) -> None:
     _, bench = start_on_bench(trial)
@@ -166,12 +166,7 @@ def publishes(trial: Trial) -> None:
 @drives.require('the command is the speed with which the node has started', see=DRIVE)
 def commands_speed(trial: Trial) -> None:
     take_for_granted(trial, publishes)
-    for speed_mps in (0.5, 1.25):
-        with cleared(trial.ros):
-            words = () if speed_mps == 0.5 else ('-p', f'max_speed_mps:={speed_mps}')
-            _, bench = start_on_bench(trial, *words)
-            expect_commands(trial, bench)
-            expect_speed(trial, bench, speed_mps, f'after a start with `max_speed_mps = {speed_mps}`')
+    expect_start_speeds(trial)
 
 
 @drives.require('`max_speed_mps` can be anything from 0.0 to 2.0, and nothing else', see=DESCRIPTOR)

@@ -1,238 +1,275 @@
-"""Exercises of chapter 4: fill in how a parameter is read, read a parameter at the right moment, and predict what
-is read."""
+"""Exercises of chapter 4: the driver reads each time and stops before the wall; an array, and a slider of one's own."""
 
-from typing import Any, NamedTuple
+from typing import Any
 
+import ipywidgets as widgets
+from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor
 from rclpy.node import Node
-from rclpy.parameter import Parameter
 
 from param_tools import values
-from param_tools.values import INTEGER
-from param_tutorial.exercises.exercise import DICTIONARY, FUNCTION, NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import WithSecondJudge, derive, expect_declared
-from param_tutorial.exercises.trial import NotTried, NotYet, NoUse, Trial, expect
-from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from param_tools.node.client import ParameterClient
+from param_tools.values import DOUBLE
+from param_tutorial.exercises.exercise import FUNCTION, Exercise
+from param_tutorial.exercises.expectations import (
+    WithSecondJudge,
+    derive,
+    expect_declared,
+    expect_range,
+    expect_range_fields,
+)
+from param_tutorial.exercises.steps import (
+    DRIVER,
+    Bench,
+    expect_commands,
+    expect_speed,
+    expect_start_speeds,
+    start_on_bench,
+)
+from param_tutorial.exercises.trial import NotTried, NotYet, NoUse, Trial, cleared, expect, take_for_granted
 
 CHAPTER = '04_retrieving'
-OBJECT = 'An object and its value'
-NOTICE = 'Change it: when does a node notice?'
-FALLBACK = 'Several at once, and a fallback'
+NOTICE = 'When does a node notice?'
 START = 'Which value does a node start with?'
+LISTEN = 'Listen to the sensor'
+ARRAYS = 'Arrays'
+PANEL = 'A panel of your own'
 
-read = Exercise('4b', 'Read at the right moment', CHAPTER, NODE_CLASS, node_name='wheel', hints=(
-    'The constructor is like those of `Copies` and `Reads`: the name of the node, and a declaration with the default '
-    '100. The method needs the value that the parameter has when someone calls the method.',
-    '`self.get_parameter(name)` returns an object; the number in it is its `.value`.',
-    'Python’s `min(a, b)` is the smaller of two numbers, so the method is one line: `return min(wanted_rpm, ...)`.'))
-
-
-def expect_limited(trial: Trial, wheel: Any, wanted_rpm: float, allowed_rpm: int, wrong: dict[int, str]) -> None:
-    """Expect what the method returns for a wanted speed.
-
-    :param wrong: What to think of, for values that it may return instead.
-    :raises NoUse: there is no such method, or it raises an exception, as it would in the other requirements.
-    """
-    if not callable(getattr(wheel, 'limited', None)):
-        raise NoUse('a method `limited`', 'the wheel has none')
-    try:
-        given = trial.call(f'`limited({wanted_rpm})`', wheel.limited, wanted_rpm)
-    except NotYet as error:
-        raise NoUse(error.expected, error.happened) from None
-    goal = min(wanted_rpm, allowed_rpm)
-    because = next((f'. {text}' for value, text in wrong.items() if values.same(value, given)), '')
-    expect(isinstance(given, (int, float)) and given == goal, f'`limited({wanted_rpm})` is `{goal}`',
-           f'it is {_format_given(given)}{because}{". Does the method return it?" if given is None else ""}')
+reads = Exercise('4a', 'Read each time', CHAPTER, DRIVER, node_name='driver', hints=(
+    'The constructor keeps a copy, and `drive` uses it. Which of the two methods runs again and again?',
+    'Move `self.get_parameter(...).value` into `drive`, in the place of `self.speed_mps`. Nothing needs the line in '
+    'the constructor any more.'))
 
 
-@read.require('`limited(500)` is 100 at the start, and any speed below that comes back as it is', see=OBJECT)
-def at_the_start(trial: Trial) -> None:
-    wheel = trial.start()
-    try:
-        expect_declared(trial, 'max_speed_rpm', INTEGER, 100)
-    except NotYet as error:
-        raise NoUse(error.expected, error.happened) from None
-    try:
-        for wanted_rpm in (500, 40, 100, 101, 0, 40.5, -40, -500):
-            expect_limited(trial, wheel, wanted_rpm, 100, {})
-    except NotYet as error:  # it would come to light in each requirement
-        raise NoUse(error.expected, error.happened) from None
+@reads.require('it publishes a `Twist` on `cmd_vel`, again and again', see=NOTICE)
+def publishes(trial: Trial) -> None:
+    _, bench = start_on_bench(trial)
+    expect_commands(trial, bench)
 
 
-@read.require('when a client sets `max_speed_rpm`, `limited(500)` is the new value from then on', see=NOTICE)
-def after_a_change(trial: Trial) -> None:
-    wheel, other = trial.start(), trial.start(namespace='/other')
-    expect_limited(trial, wheel, 500, 100, {})
-    before = 100
-    for rpm in (150, 60, 0, 175):
-        trial.client(wheel).set_parameter('max_speed_rpm', rpm).raise_for_reason()
-        expect_limited(trial, wheel, 500, rpm, {
-            before: f'The node accepted {rpm} and still uses a copy that it made earlier'})
-        expect_limited(trial, wheel, min(40, rpm), rpm, {})
-        before = rpm
-    expect_limited(trial, other, 500, 100, {175: 'That is the parameter of another wheel'})
+@reads.require('it commands the speed with which the node has started', see=START)
+def commands_speed(trial: Trial) -> None:
+    take_for_granted(trial, publishes)
+    expect_start_speeds(trial)
 
 
-@read.require('a value that is rejected changes nothing', see=NOTICE)
-def after_a_rejection(trial: Trial) -> None:
-    wheel = trial.start(derive(WithSecondJudge, trial.work))
-    wheel.rejects = True
-    trial.client(wheel).set_parameter('max_speed_rpm', 150)
-    expect_limited(trial, wheel, 500, wheel.get_parameter('max_speed_rpm').value, {
-        150: 'That value was rejected in the end, and the parameter never held it'})
+@reads.require('when a client sets `max_speed_mps`, the commands follow', see=NOTICE)
+def follows(trial: Trial) -> None:
+    take_for_granted(trial, commands_speed)
+    node, bench = start_on_bench(trial)
+    expect_follows(trial, node, bench, 1.0, 0.25, 0.75)
 
 
-@read.require('started with `-p max_speed_rpm:=120`, the node returns 120 for `limited(500)`', see=START)
-def with_an_override(trial: Trial) -> None:
-    for rpm in (120, 70):
-        wheel = trial.start(ros_args=['-p', f'max_speed_rpm:={rpm}'])
-        expect_limited(trial, wheel, 500, rpm, {
-            100: 'That is the default in the source, not what the parameter holds'})
+def expect_follows(trial: Trial, node: Node, bench: Bench, *speeds_mps: float) -> None:
+    """Expect the driver to command each speed once a client has set it."""
+    client = trial.client(node)
+    for speed_mps in speeds_mps:
+        before = client.get_parameter('max_speed_mps')
+        client.set_parameter('max_speed_mps', speed_mps).raise_for_reason()
+        expect_speed(trial, bench, speed_mps, f'after a client has set `max_speed_mps = {speed_mps}`', {
+            before: f'The node accepted {speed_mps}, and `drive` still uses a copy that was made before'})
 
 
-predict = Exercise('4c', 'Predict what is read', CHAPTER, DICTIONARY, hints=(
-    'Write the number, `True` or `False` that Python would show. A wrong guess costs nothing.',
-    'The object of a number is a photograph, and a fallback is stored nowhere.',
-    'An override takes the place of the default when the parameter is declared.'))
+@reads.require('a value that is rejected changes nothing', see=NOTICE)
+def ignores_rejected(trial: Trial) -> None:
+    take_for_granted(trial, commands_speed)
+    bench = trial.start(Bench)
+    node = trial.start(derive(WithSecondJudge, trial.work))
+    node.rejects = True
+    trial.client(node).set_parameter('max_speed_mps', 1.25)
+    expect_speed(trial, bench, 0.5, 'after `max_speed_mps = 1.25` has been rejected', {
+        1.25: 'That value was rejected in the end, and the parameter never held it'})
 
 
-class Story(NamedTuple):
-    """What there is after the lines of the exercise."""
-
-    robot: SimpleParamNode
-    photo: Parameter
-    fallback: Parameter
-    second: SimpleParamNode
-
-
-def story(trial: Trial) -> Story:
-    """Run the lines of the exercise."""
-    robot = trial.start(SimpleParamNode)
-    photo = robot.get_parameter('max_speed_rpm')
-    trial.client(robot).set_parameter('max_speed_rpm', 150)
-    fallback = Parameter('battery_volts', value=12.0)
-    second = trial.start(SimpleParamNode, ros_args=['-r', '__node:=second', '-p', 'max_speed_rpm:=120'])
-    return Story(robot, photo, fallback, second)
+stops = Exercise('4b', 'Stop before the wall', CHAPTER, DRIVER, node_name='driver', hints=(
+    'The constructor gets three more things: the declaration, `self.distance_m = None`, and a subscription that calls '
+    'a method. That method has one line: it keeps the `range` of the message.',
+    'A new `Twist` has a `linear.x` of 0.0 already. So `drive` needs one `if`, and sets `linear.x` only if the robot '
+    'may drive.',
+    'The condition has two halves, in this order: `self.distance_m is not None and self.distance_m > ...`. Python '
+    'cannot compare `None` with a number, and it does not look at the second half if the first is false.'))
 
 
-@predict.require_prediction('photo.value', see=OBJECT, because={
-    150: 'That is what the robot holds now, and the photograph is older'})
-def photograph(trial: Trial) -> Any:
-    return story(trial).photo.value
+@stops.require('`stop_distance_m` is a double, 0.5 at the start, with a range from 0.1 to 5.0', see=LISTEN)
+def declares_distance(trial: Trial) -> None:
+    expect_declared(trial, 'stop_distance_m', DOUBLE, 0.5)
+    node = trial.start()
+    expect_range_fields(node, 'stop_distance_m')
+    expect_range(trial.client(node), 'stop_distance_m', 0.1, 5.0, 0.0)
 
 
-@predict.require_prediction("robot.get_parameter('max_speed_rpm').value", see=OBJECT, because={
-    100: 'This expression takes a new photograph'})
-def present(trial: Trial) -> Any:
-    return story(trial).robot.get_parameter('max_speed_rpm').value
+@stops.require('as long as it knows no distance, it commands 0.0', see=LISTEN)
+def waits_for_distance(trial: Trial) -> None:
+    bench = trial.start(Bench)
+    bench.measure(None)
+    trial.start()
+    expect_speed(trial, bench, 0.0, 'before the first message', {
+        0.5: 'A node that does not know where the wall is stands still'})
 
 
-@predict.require_prediction("robot.get_parameter_or('battery_volts', fallback).value", see=FALLBACK, because={
-    12: 'The fallback holds a double', None: 'The parameter is not declared, so the fallback is used'})
-def fallen_back(trial: Trial) -> Any:
-    scene = story(trial)
-    return scene.robot.get_parameter_or('battery_volts', scene.fallback).value
+@stops.require('it drives if the wall is farther away than `stop_distance_m`, and commands 0.0 if not', see=LISTEN)
+def stops_at_wall(trial: Trial) -> None:
+    node, bench = start_on_bench(trial)
+    topics = {each.topic_name.rpartition('/')[2] for each in node.subscriptions} - {'parameter_events'}
+    expect('distance' in topics, 'a subscription to `distance`', 'the node subscribes to ' + (
+        ', '.join(f'`{each}`' for each in sorted(topics)) or 'nothing'))
+    for distance_m, speed_mps, remark in (
+            (3.0, 0.5, 'It stands still although the wall is far. Which way around does it compare?'),
+            (0.4, 0.0, 'Does `drive` compare the distance with `stop_distance_m`?'),
+            (0.51, 0.5, 'It has stopped once. The wall is farther away now, so it may drive again'),
+            (0.5, 0.0, 'That is not greater than `stop_distance_m`')):
+        bench.measure(distance_m)
+        expect_speed(trial, bench, speed_mps, f'at a distance of {distance_m} m', {0.5 - speed_mps: remark})
 
 
-@predict.require_prediction("robot.has_parameter('battery_volts')", see=FALLBACK, because={
-    True: 'The fallback is used once and declares nothing'})
-def stored(trial: Trial) -> Any:
-    return story(trial).robot.has_parameter('battery_volts')
+@stops.require('both parameters count as soon as a client has set them', see=NOTICE)
+def reads_both(trial: Trial) -> None:
+    take_for_granted(trial, stops_at_wall)
+    node, bench = start_on_bench(trial)
+    bench.measure(1.0)
+    expect_speed(trial, bench, 0.5, 'at a distance of 1.0 m')
+    trial.client(node).set_parameter('stop_distance_m', 2.0).raise_for_reason()
+    expect_speed(trial, bench, 0.0, 'at a distance of 1.0 m and with `stop_distance_m = 2.0`', {
+        0.5: 'Does `drive` read `stop_distance_m` each time?'})
+    trial.client(node).set_parameter('stop_distance_m', 0.75).raise_for_reason()
+    expect_follows(trial, node, bench, 1.0, 0.25)
 
 
-@predict.require_prediction("second.get_parameter('max_speed_rpm').value", see=START, because={
-    100: 'That is the default, and this robot was started with an override',
-    150: 'That is what was set on the first robot, and each node has its own parameters'})
-def overridden(trial: Trial) -> Any:
-    return story(trial).second.get_parameter('max_speed_rpm').value
+arrays = Exercise('4c', 'The next stop', CHAPTER, FUNCTION, hints=(
+    'The function takes a stop off the list that the node holds. What would it have to do first?',
+    '`list(...)` makes a list of whatever holds several values, and always a new one.'))
 
 
-fill = Exercise('4a', 'Fill two gaps, and mend a line', CHAPTER, FUNCTION, hints=(
-    '`get_parameter` takes the name of a parameter. The number is the `.value` of what it returns.',
-    '`get_parameter_or` takes a name and a parameter object. The section “Several at once, and a fallback” '
-    "makes one: `Parameter('battery_volts', value=12.0)`."))
-
-
-class Battery(Node):
-    """A robot that knows its battery."""
+class Route(Node):
+    """A node with stops on its way."""
 
     def __init__(self) -> None:
-        super().__init__('robot')
-        self.declare_parameters('', [('max_speed_rpm', 80), ('battery_volts', 11.5)])
+        super().__init__('courier')
+        self.declare_parameter('stops', [1, 2, 3])
 
 
-def report(trial: Trial, robot: Node) -> tuple[Any, Any]:
-    """Call the learner's function, and return the two values.
+def expect_stops(trial: Trial, node: Node, *goal: int) -> None:
+    """Expect the learner's function to return the first stop and the others.
 
-    :raises NoUse: it returns something else, or raises an exception, as it would in the other requirements.
+    :raises NoUse: it does not return, or something else, as it would in the other requirements.
     """
     try:
-        given = trial.call('`report(robot)`', trial.work, robot)
+        given = trial.call('`next_stop(node)`', trial.work, node)
     except NotYet as error:
         raise NoUse(error.expected, error.happened) from None
     if not isinstance(given, (tuple, list)) or len(given) != 2:
-        raise NoUse('two values, the speed and the voltage', f'it returns `{given!r}`')
-    return given[0], given[1]
+        raise NoUse('two values, a stop and a list', f'it returns `{given!r}`')
+    first, others = given
+    expect(values.same(goal[0], first), f'the first stop is `{goal[0]}`', f'it is `{first!r}`')
+    expect(others == list(goal[1:]), f'the others are `{list(goal[1:])}`',
+           f'they are `{others!r}`' + ('' if isinstance(others, list) else ', which equals no list'))
 
 
-def _format_given(given: object) -> str:
-    if isinstance(given, Parameter):
-        return 'a parameter object, and not its value'
-    return f'the string `{given!r}`' if isinstance(given, str) else f'`{given!r}`'
+@arrays.require('it returns the first stop, and a list of the others', see=ARRAYS)
+def returns_stops(trial: Trial) -> None:
+    expect_stops(trial, trial.start(Route), 1, 2, 3)
+    expect_stops(trial, trial.start(Route, ros_args=['-p', 'stops:=[5]']), 5)
 
 
-def _expect_number(given: Any, goal: float) -> None:
-    """Expect a number; a double has to be one, since 12 and 12.0 are of different types to ROS.
+@arrays.require('the node keeps all its stops', see=ARRAYS)
+def leaves_stops(trial: Trial) -> None:
+    take_for_granted(trial, returns_stops)
+    node = trial.start(Route)
+    expect_stops(trial, node, 1, 2, 3)
+    now = trial.client(node).get_parameter('stops')
+    expect(now == [1, 2, 3], 'a client gets `[1, 2, 3]`',
+           f'it gets `{now!r}`. Your function has changed the list that the node itself holds')
 
-    :raises NoUse: it is still a parameter object, as it would be in the other requirements.
+
+@arrays.require('it does the same after a client has set the stops', see=ARRAYS)
+def returns_stops_set(trial: Trial) -> None:
+    node = trial.start(Route)
+    for stops in ([3, 4], [7, 8, 9]):
+        trial.client(node).set_parameter('stops', stops).raise_for_reason()
+        expect_stops(trial, node, *stops)
+
+
+slides = Exercise('4d', 'A slider that shows what the node holds', CHAPTER, FUNCTION, hints=(
+    'It is the slider of the section, in a function: make a `FloatSlider`, define `ask(change)`, call `observe`, and '
+    'return the slider. `ask` needs one line more.',
+    'The client asks the node with `client.get_parameter(name)`: once for the `value` that the slider starts with, and '
+    'again at the end of each `ask`.',
+    'The last line of `ask` is `slider.value = client.get_parameter(...)`. It moves the slider, so `ask` is called '
+    'once more, with a value that the node holds already.'))
+
+
+class Cruiser(WithSecondJudge):
+    """What the slider is for: a node with the speed of the reader's driver, which a test can let reject more."""
+
+    def __init__(self) -> None:
+        super().__init__('driver')
+        self.declare_parameter('max_speed_mps', 0.5, ParameterDescriptor(
+            floating_point_range=[FloatingPointRange(from_value=0.0, to_value=2.0)]))
+
+
+def make_slider(trial: Trial, speed_mps: float = 0.5) -> tuple[Cruiser, ParameterClient, Any]:
+    """Start a node that holds a speed, and have the learner's function make a slider for it.
+
+    :raises NoUse: it makes none, as it would in the other requirements.
     """
-    if isinstance(given, Parameter):
-        raise NoUse(f'`{goal}`', f'it is {_format_given(given)}')
-    met = values.same(goal, given) if isinstance(goal, float) else (
-        isinstance(given, (int, float)) and not isinstance(given, bool) and given == goal)
-    expect(met, f'`{goal}`', f'it is {_format_given(given)}')
+    node = trial.start(Cruiser, ros_args=['-p', f'max_speed_mps:={speed_mps}'])
+    try:
+        slider = trial.call('`speed_slider(node)`', trial.work, node)
+    except NotYet as error:
+        raise NoUse(error.expected, error.happened) from None
+    if not isinstance(slider, widgets.FloatSlider):
+        raise NoUse('a `FloatSlider`', 'it returns ' + (
+            f'a `{type(slider).__name__}`' if isinstance(slider, widgets.Widget) else f'`{slider!r:.60}`'))
+    return node, trial.client(node), slider
 
 
-@fill.require('the first value is the speed that the robot holds, also after a change', see=OBJECT)
-def reports_speed(trial: Trial) -> None:
-    robot, other = trial.start(SimpleParamNode), trial.start(Battery)
-    for rpm in (100, 150, 0):
-        trial.client(robot).set_parameter('max_speed_rpm', rpm).raise_for_reason()
-        speed, _ = report(trial, robot)
-        if trial.client(robot).get_parameter('max_speed_rpm') != rpm:
-            raise NotTried  # the last requirement says that the function has changed it
-        _expect_number(speed, rpm)
-    speed, _ = report(trial, other)
-    _expect_number(speed, 80)
+def move(trial: Trial, slider: widgets.FloatSlider, speed_mps: float) -> None:
+    """Move a slider, in the way in which a browser tells that a hand did."""
+    try:
+        trial.call(f'moving the slider to {speed_mps}', slider.set_state, {'value': speed_mps})
+    except NotYet as error:
+        remark = '. A slider that is moved by `ask` calls `ask` again' if 'RecursionError' in error.happened else ''
+        raise NotYet(error.expected, error.happened + remark) from None
 
 
-@fill.require('the second value is 12.0 if the robot has no `battery_volts`', see=FALLBACK)
-def falls_back(trial: Trial) -> None:
-    _, volts = report(trial, trial.start(SimpleParamNode))
-    _expect_number(volts, 12.0)
+@slides.require('it goes from 0.0 to 3.0, and begins with what the node holds', see=PANEL)
+def begins(trial: Trial) -> None:
+    for speed_mps in (0.5, 1.25):
+        with cleared(trial.ros):
+            _, _, slider = make_slider(trial, speed_mps)
+            expect((slider.min, slider.max) == (0.0, 3.0), 'a slider from 0.0 to 3.0',
+                   f'it goes from {slider.min} to {slider.max}')
+            expect(slider.value == speed_mps, f'it shows {speed_mps}, if the node holds that',
+                   f'it shows {slider.value}')
 
 
-@fill.require('the second value is that of a robot that has one', see=FALLBACK)
-def reports_voltage(trial: Trial) -> None:
-    robot = trial.start(Battery)
-    for volts in (11.5, 0.0, 13.25):
-        trial.client(robot).set_parameter('battery_volts', volts).raise_for_reason()
-        _, given = report(trial, robot)
-        _expect_number(given, volts)
+@slides.require('when it is moved, the node gets the new value', see=PANEL)
+def sets(trial: Trial) -> None:
+    _, client, slider = make_slider(trial)
+    for speed_mps in (1.2, 0.3, 2.0):
+        move(trial, slider, speed_mps)
+        held = client.get_parameter('max_speed_mps')
+        expect(held == speed_mps, f'the node holds {speed_mps} when the slider has been moved there',
+               f'it holds {held}. Does `observe` have a function that sets the parameter of `node`?')
+        expect(slider.value == speed_mps, f'the slider stays at {speed_mps}, which the node has accepted',
+               f'it shows {slider.value}')
 
 
-@fill.require('the robot stays as it is', see=FALLBACK)
-def leaves_alone(trial: Trial) -> None:
-    for node_class in (SimpleParamNode, Battery):
-        robot = trial.start(node_class)
-        client = trial.client(robot)
-        client.set_parameter('max_speed_rpm', 120).raise_for_reason()  # back at the default is a change, too
-        before = client.get_parameters()
-        report(trial, robot)
-        after = client.get_parameters()
-        new = sorted(set(after) - set(before))
-        expect(not new, 'no new parameter', f'your function has declared `{", ".join(new)}`')
-        changed = [name for name in before if not values.same(before[name], after.get(name))]
-        expect(not changed, 'the values from before', f'your function has changed `{", ".join(changed)}`')
+@slides.require('when the node rejects the value, the slider shows what the node holds', see=PANEL)
+def shows_held(trial: Trial) -> None:
+    take_for_granted(trial, sets)
+    node, client, slider = make_slider(trial)
+    if slider.max < 3.0:
+        raise NotTried
+    move(trial, slider, 1.2)
+    move(trial, slider, 3.0)
+    expect(slider.value == 1.2, 'it shows 1.2 again after the node has rejected 3.0', f'it shows {slider.value}')
+    client.set_parameter('max_speed_mps', 0.8).raise_for_reason()
+    move(trial, slider, 3.0)
+    expect(slider.value == 0.8, 'it shows 0.8 if another client has set that, and the node then rejects 3.0',
+           f'it shows {slider.value}. What does the node say if you ask it?')
+    node.rejects = True
+    move(trial, slider, 1.5)
+    expect(slider.value == 0.8, 'it shows 0.8 again if a callback of the node rejects 1.5', f'it shows {slider.value}')
 
 
-EXERCISES = (fill, read, predict)
+EXERCISES = (reads, stops, arrays, slides)

@@ -1,167 +1,297 @@
-"""Exercises of chapter 5.3: order the lines of a request, set two parameters of another node together, read an answer,
-and write a whole program that asks another node."""
+"""Exercises of chapter 5.3: the tuner asks the driver for a value, and sets a slower one; and reading an answer."""
 
-import itertools
+import re
 import time
 from collections.abc import Mapping
+from pathlib import Path
 from types import MappingProxyType
-from typing import Any, TypeVar
+from typing import Any
 
 from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor, SetParametersResult
 from rcl_interfaces.srv import SetParameters
-from rclpy.client import Client
 from rclpy.node import Node
 from rclpy.parameter import Parameter
+from rclpy.task import Future
 
-from param_tools.node.client import ParameterValues
+from param_tools.node.client import ParameterClient
+from param_tools.ros.service_types import SERVICE_TYPES
 from param_tools.ros.waiting import wait
-from param_tools.values import INTEGER
-from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, TEXT, Exercise
+from param_tools.values import DOUBLE
+from param_tutorial.exercises.exercise import FUNCTION, Exercise
 from param_tutorial.exercises.expectations import (
-    NotesQuestions,
     awake,
     expect_accepted,
-    expect_no_wait,
     expect_start_value,
-    run_lines,
     start_asking,
     take_type_for_granted,
 )
-from param_tutorial.exercises.programs import PROGRAM, Program, require_ends, require_program, running
-from param_tutorial.exercises.trial import STUCK, TIME_LIMIT_SEC, NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.programs import require_program
+from param_tutorial.exercises.steps import TUNER, TUNER_PROGRAM
+from param_tutorial.exercises.trial import (
+    STUCK,
+    TIME_LIMIT_SEC,
+    NotYet,
+    NoUse,
+    Trial,
+    cleared,
+    expect,
+)
+from param_tutorial.package.loading import LoadError, load_node_class
 
 CHAPTER = '05_3_from_another_node'
-HOW = 'How it works'
-ATOMIC = 'Change it: all or nothing'
-ONE_BY_ONE = 'Change it: one of four is wrong'
+ASK = 'Ask for a value'
+WAITING = "Don't wait for it"
+SILENCE = 'When nobody answers'
+SET = 'Set a value'
+ONE_BY_ONE = 'One by one, or all or nothing'
+TUNING = '5.3b · It slows the driver down'
 
 
-class Rover(Node):
-    """The robot to slow down. It notes which parameters it is asked for, and whether it stores any."""
+class Driver(Node):
+    """The driver to be tuned. It notes how often it is asked for its speed, and what it is asked to store."""
 
-    rejected: tuple[str, ...] = ()
-    """The parameters of which it accepts no value."""
     words = ''
-    """Why not."""
+    """Why it accepts no speed; empty if it does."""
 
     def __init__(self) -> None:
-        super().__init__('rover')
-        self.declare_parameter('max_speed_rpm', 100)
-        self.declare_parameter('max_acceleration_mps2', 1.0, ParameterDescriptor(
-            floating_point_range=[FloatingPointRange(from_value=0.1, to_value=2.0)]))
-        self.asked: set[str] = set()
-        self.has_stored = False
+        self.times_asked: list[float] = []
+        self.asked: list[Parameter] = []
+        super().__init__('driver')
+        self.declare_parameter('max_speed_mps', 0.5)
+        self.declare_parameter('stop_distance_m', 0.5, ParameterDescriptor(
+            floating_point_range=[FloatingPointRange(from_value=0.1, to_value=5.0)]))
         self.add_on_set_parameters_callback(self.judge)
-        self.add_post_set_parameters_callback(self.note)
+
+    def get_parameter(self, name: str) -> Parameter:
+        if name == 'max_speed_mps':
+            self.times_asked.append(time.monotonic())
+        return super().get_parameter(name)
 
     def judge(self, parameters: list[Parameter]) -> SetParametersResult:
-        names = {each.name for each in parameters}
-        self.asked |= names
-        is_rejected = not names.isdisjoint(self.rejected)
-        return SetParametersResult(successful=not is_rejected, reason=self.words if is_rejected else '')
-
-    def note(self, _: list[Parameter]) -> None:
-        self.has_stored = True
+        self.asked += parameters
+        return SetParametersResult(successful=not self.words, reason=self.words)
 
 
-RoverT = TypeVar('RoverT', bound=Rover)
+class Keeps(Driver):
+    """Accepts no other speed."""
+
+    words = 'not while I am climbing'
 
 
-class KeepsAcceleration(Rover):
-    """Accepts a new speed only."""
+class Frozen(Node):
+    """A driver whose services are there, and never answer."""
 
-    rejected, words = ('max_acceleration_mps2',), 'not while I am climbing'
+    def __init__(self) -> None:
+        super().__init__('driver', start_parameter_services=False)
+        self.times_asked: list[float] = []
+        for name, service_type in SERVICE_TYPES.items():
+            self.create_service(service_type, f'~/{name}', self.take)
 
-
-class KeepsSpeed(Rover):
-    """Accepts a new acceleration only."""
-
-    rejected, words = ('max_speed_rpm',), 'the floor is wet'
-
-
-OLD = ParameterValues(max_speed_rpm=100, max_acceleration_mps2=1.0)
-NEW = ParameterValues(max_speed_rpm=40, max_acceleration_mps2=0.2)
-
-supervise = Exercise('5.3b', 'Slow a rover down', CHAPTER, NODE_CLASS, node_name='supervisor', hints=(
-    'Create the client once, in the constructor: `self.create_client(TYPE, NAME)`. Which of the six services takes a '
-    'list as one?',
-    'The service is `/rover/set_parameters_atomically`, of the type `SetParametersAtomically`. Make its request as '
-    'the section “Change it: all or nothing” does, and send it with `call_async`.',
-    '`call_async` returns a future. `future.add_done_callback(self.on_answer)` has rclpy call your method with it. '
-    '`future.result().result` is the one result, and it has a `reason`. If you would rather await the future, the '
-    'client needs a callback group of its own.'))
+    async def take(self, _request: object, response: object) -> object:
+        self.times_asked.append(time.monotonic())
+        return await Future()
 
 
-def slow_down(trial: Trial, rover_class: type[Rover]) -> tuple[Rover, Any]:
-    """Put a rover and the learner's supervisor on the stage, and press the supervisor's button.
+def at_speed(speed_mps: float) -> list[str]:
+    """Return the words that start a driver with a speed."""
+    return ['-p', f'max_speed_mps:={speed_mps}']
 
-    :raises NoUse: it asks before that, or the button cannot be pressed, or does not get to its end.
+
+def log_of(trial: Trial, tuner: Node, since_ns: int, *levels: str) -> list[str]:
+    """Return what a tuner has logged since a time.
+
+    :param levels: Only lines of these; by default all.
     """
-    rover = trial.start(rover_class)
-    supervisor = start_asking(trial)
-    if supervisor.questions_noted:
-        raise NoUse('no request before `slow_down()` is called', 'the constructor has sent one')
-    button = getattr(supervisor, 'slow_down', None)
-    if not callable(button):
-        raise NoUse('a method `slow_down`', 'the class has none')
+    return [each.text for each in trial.ros.node_log.recent(tuner.get_fully_qualified_name(), 500)
+            if each.time_ns >= since_ns and (not levels or each.level in levels)]
+
+
+def expect_log(trial: Trial, tuner: Node, since_ns: int, text: str, when: str) -> None:
+    """Expect a tuner to log a text."""
+    def happened() -> str:
+        lines = log_of(trial, tuner, since_ns)
+        return f'its last line is `{lines[-1]}`' if lines else 'it logs nothing'
+
+    trial.wait(lambda: any(text in each for each in log_of(trial, tuner, since_ns)), f'it logs `{text}` {when}',
+               happened)
+
+
+asks = Exercise('5.3a', 'It asks', CHAPTER, TUNER, node_name='tuner', hints=(
+    'The constructor has two lines after `super().__init__`: one makes the client and keeps it in `self`, the other '
+    'makes a timer that calls a method `ask` twice a second, every 0.5 s.',
+    '`ask` has one line: `self.driver.get_parameters(names, callback=self.on_speed)`, with a list of names. It does '
+    'not wait.',
+    '`on_speed(self, future)` reads `future.result().values[0].double_value`, and logs it with '
+    "`self.get_logger().info(f'max_speed_mps is {speed_mps}')`."))
+
+
+@asks.require('`tuner_node.py` makes a node called `tuner`, whose client finds the services of `driver`', see=ASK)
+def finds_driver(trial: Trial) -> None:
+    trial.start(Driver)
     with awake():
-        trial.press('`slow_down()`', supervisor, button)
-    return rover, supervisor
+        start_asking(trial)
 
 
-@supervise.require('`slow_down()` sends both values, and neither blocks nor hangs', see=HOW)
-def both(trial: Trial) -> None:
-    rover, supervisor = slow_down(trial, Rover)
-    client = trial.client(rover)
+@asks.require('it asks for `max_speed_mps` twice a second', see=WAITING)
+def asks_twice(trial: Trial) -> None:
+    driver = trial.start(Driver)
+    with awake():
+        start_asking(trial)
+        driver.times_asked.clear()
+        expect_questions(trial, driver)
+
+
+def expect_questions(trial: Trial, driver: Driver | Frozen) -> None:
+    """Expect a tuner to ask a driver for its speed twice a second."""
+    before, count = len(driver.times_asked), 4
+    wait(lambda: len(driver.times_asked) > before + count or trial.raised(), TIME_LIMIT_SEC)
+    times = driver.times_asked[before:]
+    expect(len(times) > count and times[count] - times[0] < count * 0.8, 'the driver is asked twice a second',
+           f'it is asked {len(times)} times in {times[-1] - times[0]:.1f} s' if times else 'it is not asked')
+
+
+@asks.require('it logs the value from each answer', see=ASK)
+def logs_speed(trial: Trial) -> None:
+    for speed_mps in (0.5, 1.25):
+        with cleared(trial.ros), awake():
+            since_ns = time.time_ns()
+            trial.start(Driver, ros_args=at_speed(speed_mps))
+            expect_log(trial, start_asking(trial), since_ns, f'max_speed_mps is {speed_mps}',
+                       f'when the driver holds {speed_mps}')
+
+
+@asks.require('it waits for no answer: it starts, and goes on, without a driver', see=WAITING)
+def waits_for_none(trial: Trial) -> None:
+    with awake():
+        tuner = trial.start()
+        expect_at_once(trial, tuner, 'without a driver')
+    trial.start(Frozen)
+    with awake():
+        expect_at_once(trial, tuner, 'when the driver does not answer')
+
+
+def expect_at_once(trial: Trial, tuner: Node, when: str) -> None:
+    """Expect a tuner to answer for as long as its timer takes to come twice."""
+    client = trial.client(tuner)
+    until = time.monotonic() + 1.2
+    while time.monotonic() < until:
+        began = time.monotonic()
+        client.list_parameters()
+        took_sec = time.monotonic() - began
+        expect(took_sec < 0.5, f'an answer at once {when}', f'it takes {took_sec:.1f} s. {STUCK}')
+        expect(not trial.raised(), f'it goes on {when}', trial.raised())
+
+
+tunes = Exercise('5.3b', 'It slows the driver down', CHAPTER, TUNER_PROGRAM, node_name='tuner', hints=(
+    'Keep the future of each question, `self.question = self.driver.get_parameters(...)`. At the beginning of `ask`, '
+    'the one from before can be canceled, if there is one. That is the deadline.',
+    '`on_speed` begins with `if future.cancelled():`, logs a warning there, and returns. After that the answer is '
+    'as before.',
+    "If the speed is above the limit: `self.driver.set_parameters([Parameter('max_speed_mps', value=limit_mps)], "
+    'callback=self.on_result)`. `on_result` looks at `future.result().results[0]`.'))
+
+
+def start_tuner(trial: Trial, *words: str) -> tuple[Node, ParameterClient]:
+    """Put the learner's tuner on the stage, with a client for its parameters.
+
+    :raises NoUse: its file makes none.
+    """
     try:
-        trial.wait(lambda: client.get_parameters(NEW) == NEW, 'the rover holds 40 rpm and 0.2 m/s²',
-                   lambda: f'it holds {" and ".join(map(str, client.get_parameters(NEW).values()))}' + (
-                       f', and `self.rejection` is `{supervisor.rejection!r}`' if supervisor.rejection else ''))
-    except NotYet as error:  # what rovers reject can tell nothing about other values
-        raise NoUse(error.expected, trial.raised() or error.happened) from None
-    others = ' and '.join(f'`{name}`' for name in sorted(rover.asked - set(NEW)))
-    expect(not others, 'the rover is asked for nothing else', f'it is asked for {others} too')
-    expect_no_wait(trial, 'slow_down')
+        tuner: Node = trial.start(load_node_class(trial.work, trial.work.parents[1]), ros_args=words)
+    except LoadError as error:
+        raise NoUse('a class of nodes in `tuner_node.py`', str(error)) from None
+    trial.names.add(tuner.get_name())
+    return tuner, trial.client(tuner)
 
 
-@supervise.require('`self.rejection` is the reason of a rover that rejects', see=HOW)
-def reason(trial: Trial) -> None:
-    for rover_class in (KeepsAcceleration, KeepsSpeed, Rover):
-        expect_reason(trial, rover_class)
+def start_tuning(trial: Trial) -> tuple[Node, ParameterClient]:
+    """Put it there if it has its limit, as the first requirement says."""
+    tuner, client = start_tuner(trial)
+    take_type_for_granted(client, DOUBLE, 'limit_mps')
+    return tuner, client
 
 
-def expect_reason(trial: Trial, rover_class: type[Rover]) -> None:
-    """Expect the supervisor to know why a rover rejects, and nothing if it doesn't."""
-    rover, supervisor = slow_down(trial, rover_class)
-    trial.wait(lambda: rover.asked, 'the rover is asked', lambda: 'it is not')
-    for _ in range(3):
-        trial.ros.run(lambda: None, 'let the answer through')
-    if rover.rejected:
-        trial.wait(lambda: supervisor.rejection == rover.words, f'`self.rejection` is `{rover.words!r}`',
-                   lambda: f'it is `{supervisor.rejection!r}`')
-    else:
-        expect(not supervisor.rejection, '`self.rejection` stays empty when the rover accepts',
-               f'it is `{supervisor.rejection!r}`')
-    trial.ros.remove(supervisor)
-    trial.ros.remove(rover)
+@tunes.require('`limit_mps` is a double, and it starts at 0.3', see=TUNING)
+def has_limit(trial: Trial) -> None:
+    expect_start_value(start_tuner(trial)[1], 'limit_mps', DOUBLE, 0.3)
 
 
-@supervise.require('both are set or neither: a rover that rejects one keeps the other', see=ATOMIC)
-def neither(trial: Trial) -> None:
-    for rover_class, kept in ((KeepsAcceleration, 'max_speed_rpm'), (KeepsSpeed, 'max_acceleration_mps2')):
-        expect_kept(trial, rover_class, kept)
+def expect_speed_set(trial: Trial, driver: Driver, speed_mps: float, when: str) -> None:
+    """Expect a tuner to have changed the speed of a driver, soon."""
+    def held() -> Any:
+        return Node.get_parameter(driver, 'max_speed_mps').value
+
+    trial.wait(lambda: held() == speed_mps, f'the driver holds {speed_mps} {when}', lambda: f'it holds {held()}')
 
 
-def expect_kept(trial: Trial, rover_class: type[Rover], name: str) -> None:
-    """Expect a parameter to stay as it is in a rover that rejects the other one."""
-    rover, supervisor = slow_down(trial, rover_class)
-    trial.wait(lambda: rover.asked >= set(NEW), 'the rover is asked for both values',
-               lambda: f'it was asked for {" and ".join(f"`{each}`" for each in sorted(rover.asked)) or "nothing"}')
-    trial.ros.run(lambda: None, 'let the rover finish')
-    expect(not rover.has_stored, f'a rover that rejects the other value keeps `{name} = {OLD[name]}`',
-           'it stored the new one. `set_parameters` decides about each parameter separately')
-    trial.ros.remove(supervisor)
-    trial.ros.remove(rover)
+@tunes.require('a driver that is faster gets the limit, whatever it is by then', see=SET)
+def slows_down(trial: Trial) -> None:
+    for start_mps in (0.5, 1.25):
+        with cleared(trial.ros), awake():
+            driver = trial.start(Driver, ros_args=at_speed(start_mps))
+            tuner, _ = start_tuning(trial)
+            expect_speed_set(trial, driver, 0.3, 'soon after the tuner has come')
+            expect_accepted(trial, tuner, {'limit_mps': 0.2})
+            expect_speed_set(trial, driver, 0.2, 'once `limit_mps = 0.2` is stored')
+
+
+@tunes.require('a driver that is slow enough is left alone', see=SET)
+def leaves_alone(trial: Trial) -> None:
+    driver = trial.start(Driver, ros_args=at_speed(0.25))
+    with awake():
+        tuner, _ = start_tuning(trial)
+        for limit_mps in (0.3, 0.25):  # it is slower than the limit, and then just as fast
+            expect_accepted(trial, tuner, {'limit_mps': limit_mps})
+            expect_questions(trial, driver)
+            expect(not driver.asked, f'nothing is set while the driver holds 0.25 and the limit is {limit_mps}',
+                   'the tuner has asked for ' + ', '.join(f'`{each.name} = {each.value}`' for each in driver.asked[:3]))
+
+
+@tunes.require('the reason of a driver that rejects is logged', see=SET)
+def tells_rejection(trial: Trial) -> None:
+    trial.start(Keeps)
+    with awake():
+        since_ns = time.time_ns()
+        tuner, _ = start_tuning(trial)
+        expect_log(trial, tuner, since_ns, Keeps.words, f'when the driver says “{Keeps.words}”')
+
+
+@tunes.require('a question without an answer ends with a warning, and the next one is asked', see=SILENCE)
+def has_deadline(trial: Trial) -> None:
+    with awake():
+        tuner, _ = start_tuning(trial)
+        expect_warning(trial, tuner, 'without a driver')
+    frozen = trial.start(Frozen)
+    with awake():
+        trial.wait(lambda: frozen.times_asked, 'a driver that comes later is asked', lambda: 'it is not')
+        expect_warning(trial, tuner, 'when the driver does not answer')
+    trial.ros.remove(frozen)
+    driver = trial.start(Driver)
+    with awake():
+        expect_speed_set(trial, driver, 0.3, 'soon after one has come that answers')
+        expect_at_once(trial, tuner, 'all the time')
+
+
+def expect_warning(trial: Trial, tuner: Node, when: str) -> None:
+    """Expect a tuner to log one more warning, soon."""
+    since_ns = time.time_ns()
+    trial.wait(lambda: log_of(trial, tuner, since_ns, 'WARN', 'ERROR'), f'a warning in the log, {when}', lambda: (
+        f'its last line is `{lines[-1]}`, and no warning' if (lines := log_of(trial, tuner, since_ns))
+        else 'it logs nothing'))
+
+
+require_program(tunes, 'tuner_node.py', TUNING)
+
+
+@tunes.require('`setup.py` names the executable `tuner_node`', see=TUNING)
+def is_installed(trial: Trial) -> None:
+    text = (Path(trial.work).parents[1] / 'setup.py').read_text(encoding='utf-8')
+    found = re.search(r"""['"]\s*tuner_node\s*=\s*my_robot\.tuner_node\s*:\s*main\s*['"]\s*(,|\])?""", text)
+    expect(found, "`'tuner_node = my_robot.tuner_node:main'` among the `console_scripts`", 'there is no such line')
+    try:
+        compile(text, 'setup.py', 'exec')
+    except SyntaxError as error:
+        raise NotYet('a `setup.py` that Python can read', f'{error.msg}, in line {error.lineno}') from None
 
 
 read = Exercise('5.3c', 'Read an answer', CHAPTER, FUNCTION, hints=(
@@ -223,188 +353,22 @@ def why_some_lack(given: dict[str, str], true: dict[str, str]) -> str:
     return '. Two results may be equal, so what counts is their position'
 
 
-@read.require('one rejection among three: its name, and the reason', see=HOW)
+@read.require('one rejection among three: its name, and the reason', see=ONE_BY_ONE)
 def one(trial: Trial) -> None:
-    found = expect_reasons(trial, Rover, {'max_speed_rpm': 50, 'max_acceleration_mps2': 9.0, 'use_sim_time': False})
-    expect_reasons(trial, Rover, {'max_speed_rpm': 'fast', 'max_acceleration_mps2': 0.5, 'use_sim_time': False}, found)
+    found = expect_reasons(trial, Driver, {'max_speed_mps': 1.0, 'stop_distance_m': 9.0, 'use_sim_time': False})
+    expect_reasons(trial, Driver, {'max_speed_mps': 'fast', 'stop_distance_m': 0.5, 'use_sim_time': False}, found)
 
 
 @read.require('several rejections: all of them, also in the same words or without a word', see=ONE_BY_ONE)
 def several(trial: Trial) -> None:
-    expect_reasons(trial, Rover, {'max_speed_rpm': 'fast', 'use_sim_time': False, 'max_acceleration_mps2': 9.0})
+    expect_reasons(trial, Driver, {'max_speed_mps': 'fast', 'use_sim_time': False, 'stop_distance_m': 9.0})
     expect_reasons(trial, Judge, {'left_rpm': 2, 'note': 'now', 'right_rpm': 2, 'lift_rpm': 2})
     expect_reasons(trial, Judge, {'note': 'now', 'use_sim_time': False, 'lift_rpm': 2, 'left_rpm': 3, 'right_rpm': 4})
 
 
-@read.require('no rejection: an empty dictionary', see=HOW)
+@read.require('no rejection: an empty dictionary', see=ONE_BY_ONE)
 def none(trial: Trial) -> None:
-    expect_reasons(trial, Rover, {'max_speed_rpm': 50})
+    expect_reasons(trial, Driver, {'max_speed_mps': 1.0})
 
 
-order = Exercise('5.3a', 'Put a request in order', CHAPTER, TEXT, hints=(
-    'A name has to exist before a line can use it. Start with the two lines that use none of the other lines’ names.',
-    'The request needs the parameter, the call needs the client and the request, and the last line needs the future '
-    'that the call returns.'))
-
-
-class Asking(NotesQuestions):
-    """A node whose clients are created only once their service is found: an earlier request would be lost."""
-
-    def __init__(self) -> None:
-        super().__init__('asking')
-        self.not_found = ''
-
-    def create_client(self, *args: Any, **options: Any) -> Client:
-        client = super().create_client(*args, **options)
-        if not client.wait_for_service(timeout_sec=1.0):
-            self.not_found = client.srv_name
-        return client
-
-
-def ordered(trial: Trial) -> tuple[Rover, list[Any]]:
-    """Run the learner's lines beside a rover, and return it with the results that have arrived.
-
-    :raises NoUse: the lines do not run to their end, find no rover, or ask it more than once.
-    """
-    rover = trial.start(Rover)
-    node = trial.start(Asking)
-    results: list[Any] = []
-    run_lines(trial, node=node, results=results, SetParameters=SetParameters, Parameter=Parameter)
-    if node.not_found:
-        raise NoUse('the client finds its service', f'there is no service `{node.not_found}` of that type')
-    if (count := len(node.questions_noted)) > 1:
-        raise NoUse('the rover is asked once', f'it is asked {count} times. Is a line there twice?')
-    return rover, results
-
-
-@order.require('the lines run to their end, and the rover gets 50 rpm', see=HOW)
-def arrives(trial: Trial) -> None:
-    rover, _ = ordered(trial)
-    client = trial.client(rover)
-    try:
-        trial.wait(lambda: client.get_parameter('max_speed_rpm') == 50, 'the rover holds 50 rpm',
-                   lambda: f'it holds {client.get_parameter("max_speed_rpm")!r}')
-    except NotYet as error:  # without the right request there is no right answer
-        raise NoUse(error.expected, trial.raised() or error.happened) from None
-
-
-@order.require('the answer of the rover is added to `results`', see=HOW)
-def is_answered(trial: Trial) -> None:
-    rover, results = ordered(trial)
-    trial.wait(lambda: results, 'one result', lambda: '`results` is empty')
-    expect(rover.has_stored and len(results) == 1 and getattr(results[0], 'successful', False),
-           'one result, which is successful', f'`results` is `{results!r}`')
-
-
-GUARD = '5.3d · A guard from an empty file'
-program = Exercise('5.3d', 'A guard from an empty file', CHAPTER, PROGRAM, node_name='guard', hints=(
-    'The constructor declares the limit, makes two clients (`GetParameters` and `SetParameters`, of `/rover`) and a '
-    'timer. `main` is that of every node.',
-    'The timer’s callback sends the question with `call_async`, and leaves the rest to a callback of the future: '
-    '`future.add_done_callback(self.on_speed)`. If `service_is_ready()` is false, it returns at once.',
-    '`on_speed` reads `future.result().values[0].integer_value`. If that is above the limit, it sends '
-    "`Parameter('max_speed_rpm', value=limit).to_parameter_msg()`, and another callback logs the reason of a result "
-    'that is not `successful`.'))
-require_program(program, 'guard_node.py', GUARD)
-
-
-class NotesTimes(Rover):
-    """Notes when it is asked for a value."""
-
-    def __init__(self) -> None:
-        self.times_asked: list[float] = []
-        super().__init__()
-
-    def get_parameter(self, name: str) -> Parameter:
-        self.times_asked.append(time.monotonic())
-        return super().get_parameter(name)
-
-
-def start_rover(trial: Trial, guard: Program, rover_class: type[RoverT], rpm: int = 100) -> RoverT:
-    """Put a rover beside the guard."""
-    return trial.start(rover_class, namespace=guard.namespace, ros_args=['-p', f'max_speed_rpm:={rpm}'])
-
-
-def expect_speed(trial: Trial, guard: Program, rover: Rover, rpm: int, when: str) -> None:
-    """Expect the guard to have changed the speed of a rover, soon."""
-    client = trial.client(rover)
-    try:
-        trial.wait(lambda: client.get_parameter('max_speed_rpm') == rpm, f'the rover holds {rpm} rpm {when}',
-                   lambda: f'it holds {client.get_parameter("max_speed_rpm")}')
-    except NotYet:
-        trial.client(guard.node).list_parameters()  # a guard that waits in a callback does not answer
-        raise
-
-
-@program.require('`limit_rpm` is an integer, 60 at first, and the guard answers also without a rover', see=HOW)
-def lives_alone(trial: Trial) -> None:
-    with running(trial, program) as guard:
-        expect_start_value(trial.client(guard.node), 'limit_rpm', INTEGER, 60)
-        # Its timer comes twice a second, so each of these times holds a callback from its begin to its end. On a busy
-        # machine an answer may be late, but not in each of them.
-        pauses = [longest_pause(trial, guard) for _ in range(2)]
-        while min(pauses) > PAUSE_SEC and len(pauses) < 4:
-            pauses.append(longest_pause(trial, guard))
-        expect(min(pauses) <= PAUSE_SEC, 'an answer at once, also without a rover',
-               f'again and again an answer takes {min(pauses):.1f} s or more. {STUCK}')
-
-
-# Shorter than what wait_for_service() sleeps.
-PAUSE_SEC = 0.15
-
-
-def longest_pause(trial: Trial, guard: Program) -> float:
-    """Ask the guard for 0.8 s, again and again, and return how long the slowest answer takes."""
-    times = [time.monotonic()]
-    while times[-1] < times[0] + 0.8:
-        expect_accepted(trial, guard.node, {'limit_rpm': 60})
-        times.append(time.monotonic())
-    return max(after - before for before, after in itertools.pairwise(times))
-
-
-@program.require('a rover at 100 rpm gets the limit', see=HOW)
-def slows_down(trial: Trial) -> None:
-    with running(trial, program) as guard:
-        expect_speed(trial, guard, start_rover(trial, guard, Rover), 60, 'soon after it has come')
-
-
-@program.require('the limit can be changed meanwhile', see=HOW)
-def follows_limit(trial: Trial) -> None:
-    with running(trial, program) as guard:
-        take_type_for_granted(trial.client(guard.node), INTEGER, 'limit_rpm')
-        rover = start_rover(trial, guard, Rover)
-        for rpm in (45, 30):
-            expect_accepted(trial, guard.node, {'limit_rpm': rpm})
-            expect_speed(trial, guard, rover, rpm, f'once `limit_rpm = {rpm}` is stored')
-
-
-@program.require('a rover that is slow enough is left alone', see=HOW)
-def leaves_alone(trial: Trial) -> None:
-    with running(trial, program) as guard:
-        take_type_for_granted(trial.client(guard.node), INTEGER, 'limit_rpm')
-        rover = start_rover(trial, guard, NotesTimes, 50)
-        for limit_rpm, more in ((60, 6), (50, 2)):  # it is slower than the limit, and then just as fast
-            expect_accepted(trial, guard.node, {'limit_rpm': limit_rpm})
-            rover.times_asked.clear()
-            wait(lambda more=more: len(rover.times_asked) > more or rover.has_stored, TIME_LIMIT_SEC)  # type: ignore[misc]
-            expect(not rover.has_stored, f'nothing is set while the rover holds 50 rpm and the limit is {limit_rpm}',
-                   f'the guard has set `max_speed_rpm` to {rover.get_parameter("max_speed_rpm").value}')
-            times = rover.times_asked
-            expect(len(times) > more and times[more] - times[0] < more * 0.8,
-                   'the rover is asked for its speed twice a second', f'it has been asked {len(times)} times in '
-                   f'{times[-1] - times[0] if times else TIME_LIMIT_SEC:.1f} s')
-
-
-@program.require('the reason of a rover that rejects is logged, and the guard goes on', see=HOW)
-def logs_reason(trial: Trial) -> None:
-    with running(trial, program) as guard:
-        take_type_for_granted(trial.client(guard.node), INTEGER, 'limit_rpm')
-        start_rover(trial, guard, KeepsSpeed)
-        guard.expect_line(KeepsSpeed.words, f'when the rover says “{KeepsSpeed.words}”')
-        expect_accepted(trial, guard.node, {'limit_rpm': 50})
-
-
-require_ends(program, GUARD)
-
-
-EXERCISES = (order, supervise, read, program)
+EXERCISES = (asks, tunes, read)

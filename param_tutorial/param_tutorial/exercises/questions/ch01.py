@@ -2,27 +2,24 @@
 
 from param_tutorial.exercises.prediction import Prediction, right, wrong
 
-SOLVED = 'The robot is parked to the centimeter, and nobody had to touch its program.'
+SOLVED = 'Your robot is fast, whole, and starts with a number of yours.'
 
 RECALLS = ()
 
 PREDICTIONS = (
-    Prediction('1-1', 'The acceleration and the speed are the same as before, and the safety mode is off. Where does '
-               'the robot stop?', (
-        wrong('closer to the wall', 'The safety mode does the braking. Without it the robot does not brake at all, '
-              'neither early nor late.'),
-        wrong('where it did before', 'Only the safety mode looks at the wall. The node accepted the change, so the '
-              'change counts.'),
-        right('in the wall itself', 'The safety mode does the braking. Without it the robot meets the wall at full '
-              'speed.'))),
-    Prediction('1-2', 'After one second of its drive, the robot gets 0.2 m/s² instead of 0.5 m/s². What does its speed '
-               'do?', (
-        wrong('It falls back to what 0.2 m/s² would have given by now', 'A change does not rewrite the past. The '
-              'robot keeps the speed that it has.'),
-        right('It goes on from 0.5 m/s, and climbs less steeply', 'The change counts from that moment on, without a '
-              'jump.'),
-        wrong('It climbs as before; the change counts for the next drive', 'The change does not wait for the next '
-              'drive. The curve bends at one second.'))),
+    Prediction('1-1', 'The robot is going to drive at 2.0 m/s, and still brakes half a meter before the wall. Where '
+               'does it stop?', (
+        wrong('It stops where it stopped before', 'It brakes at the same place, and is four times as fast there. It '
+              'needs more room.'),
+        right('It does not stop before the wall', 'From 2 m/s it needs 2 m to stop, and there is half a meter.'),
+        wrong('It stops a little closer to the wall', 'Twice the speed takes four times the room. From 2 m/s it needs '
+              '2 m, and there is half a meter.'))),
+    Prediction('1-2', 'The requests are 0.8, then the word `fast`, then -1.0. The node takes from 0.0 to 2.0. Which '
+               'value does it hold afterwards?', (
+        right('0.8', 'A request that is rejected changes nothing.'),
+        wrong('0.0', 'The limits do not correct a value. The node rejects it, and keeps the one that it has.'),
+        wrong('-1.0', 'That is out of range, so the node rejects it.')),
+        otherwise='It is 0.8. The node rejects the other two, and a request that is rejected changes nothing.'),
     Prediction('1-3', 'One minute at 0.5 m/s, then the parameter is set to 1.0 m/s, then another minute. How many '
                'meters has the robot driven?', (
         right('90', 'Thirty meters plus sixty: the plain sum is right here, because the robot asks for its parameter '
@@ -39,12 +36,17 @@ PREDICTIONS = (
         wrong('30', 'The node does not stop. It drives the second minute with the speed that it copied when it '
               'started: 30 plus 30.')),
         otherwise='It is 60. The node accepts the change, and drives on with the copy that it made when it started.'),
-    Prediction('1-5', 'Only the first robot was set to 200 rpm. Both come from the same class, and both have a '
-               'parameter `max_speed_rpm`. What is its value in the second?', (
-        wrong('200, as the first one', 'A parameter does not belong to a class, nor to the whole system. Each node has '
-              'its own.'),
-        right('100, as it was before', 'Nobody touched the second robot, so nothing changed in it. A parameter belongs '
-              'to one node.'),
-        wrong('none, and no default', 'Each node declares its own parameters, with a default. The second robot still '
-              'has that default.'))),
+    Prediction('1-5', 'You have set `max_speed_mps` to 1.0, and the default is 0.5. The new driver is started with a '
+               'value for `command_rate_hz` alone. Which `max_speed_mps` does it start with?', (
+        right('0.5', 'It is a new node, and it knows nothing of what was set in the old one.'),
+        wrong('1.0', 'That was set in the old node. The new one begins with its defaults.'),
+        wrong('20.0', 'That is for `command_rate_hz`. All others begin with their defaults.')),
+        otherwise='It is 0.5, the default. The new node knows nothing of what was set in the old one.'),
+    Prediction('1-6', 'The first driver is set to 1.2. Both come from the same class, and both have a parameter '
+               '`max_speed_mps`. What is its value in the second?', (
+        wrong('1.2, as in the first driver', 'A parameter does not belong to a class, nor to the whole system. Each '
+              'node has its own.'),
+        wrong('none until somebody sets it', 'Each node declares its own parameters, with a default. The second one '
+              'still has that default.'),
+        right('0.5, the default of the class', 'Nobody touched the second driver. A parameter belongs to one node.'))),
 )

@@ -2,7 +2,7 @@
 
 from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
-SOLVED = 'You judge first and act later, and your motor never runs backward by accident.'
+SOLVED = 'Your robot judges first and acts later, and takes no speed from which it cannot stop.'
 
 RECALLS = (
     Recall('5.2-r1', 'A script runs `ros2 param set`, and the node rejects the value. What is the exit status of the '
@@ -11,7 +11,7 @@ RECALLS = (
               'prints.'),
         right('0', 'The command prints the rejection and ends with 0 all the same. A script has to read what it '
               'prints.')),
-           chapter='5.1', section='Break it: rejections and mistakes'),
+           chapter='5.1', section='Rejections and typos'),
     Recall('5.2-r2', "A node keeps `speed = self.get_parameter('max_speed_rpm')`. Later someone changes the "
            'parameter. What is `speed.value`?', (
         right('the old value', 'The object keeps the value that it had when the node took it.'),
@@ -20,65 +20,47 @@ RECALLS = (
 )
 
 PREDICTIONS = (
-    Prediction('5.2-1', 'All four values are reasonable, and of the types that the robot declared. How many of the '
-               'four commands succeed?', (
-        wrong('all four', 'A `Parameter.Type` equals no number, so the two always differ, and the robot rejects every '
-              'speed and every acceleration.'),
-        wrong('three', 'The range ends at 2.0. It is the comparison of the types that rejects 0.75, and 150 as well.'),
-        right('two', 'The callback rejects the speed and the acceleration: a `Parameter.Type` equals no number, so the '
-              'two always differ. The other two pass, because it does not look at them.'),
-        wrong('none', 'The callback looks at the speed and the acceleration only. The other two commands succeed.'))),
-    Prediction('5.2-2', 'The speed is 100, and someone sets 150. What does `get_parameter` return within the on-set '
-               'callback?', (
-        wrong('150', 'While the on-set callback runs, nothing is stored. 150 is a proposal, which may still be '
-              'rejected.'),
-        right('100', 'While the on-set callback runs, the old value is still the value.'),
-        wrong('an exception', 'Nothing is locked. The callback reads the old value.'))),
-    Prediction('5.2-3', 'The motor follows in a post-set callback now. Someone sets 120, and then -20. What do motor '
-               'and parameter say in the end?', (
-        right('motor 120, parameter 120', 'No surprise this time, and that is what post-set is for: it was called for '
-              '120, which was stored, and not for -20, which was rejected.'),
-        wrong('motor -20, parameter 120', 'rclpy calls a post-set callback only when a value is stored, and -20 never '
-              'was.'),
-        wrong('motor 100, parameter 120', 'The post-set callback was called for 120, once it was stored.'))),
-    Prediction('5.2-4', 'The robot starts with `-p max_speed_rpm:=250`. Its constructor sets `motor_rpm` to 100, and '
-               'registers the post-set callback after the declaration. What do motor and parameter say?', (
-        wrong('motor 250, parameter 250', 'The callback was registered after the declaration, so nobody told the '
-              'motor about the override.'),
-        right('motor 100, parameter 250', 'The override took the place of the default when the parameter was declared. '
-              'But the constructor set the motor to 100.'),
-        wrong('motor 100, parameter 100', 'The override takes the place of the default, so the parameter says 250.'))),
-    Prediction('5.2-5', "A client asks for 'fast', a string, where an integer is declared. The pre-set callback calls "
-               '`min(value, 300)`. What happens?', (
-        wrong('The node rejects the type', 'It would, one rung later. rclpy checks the type after the pre-set '
-              'callbacks, and this one fails first.'),
-        wrong('The value is cut to 300', "`min` can't compare a string with a number. It raises a `TypeError`."),
-        right('The callback itself fails', "rclpy has not checked the type yet, and `min` can't compare a string with "
-              'a number.'))),
-    Prediction('5.2-6', 'This node registered its three callbacks, and then declared two parameters. Which callbacks '
-               'were called?', (
-        wrong('none of the three', 'A declaration stores a value too. rclpy calls on-set before that, and post-set '
-              'after it.'),
-        wrong('all of the three', 'A declaration does not call pre-set callbacks: there is no request to rewrite.'),
-        right('on-set and post-set', 'A declaration calls both, for each parameter. It does not call pre-set.'),
-        wrong('on-set only', 'rclpy calls post-set too, after it has stored the value.'))),
-    Prediction('5.2-7', 'One `set_parameters` request holds two parameters. How often is the on-set callback '
-               'called?', (
-        wrong('once, with both', 'That would be an atomic request. `set_parameters` sets one parameter after the '
-              'other.'),
-        right('twice, with one each', '`set_parameters` sets one parameter after the other, and each goes down '
-              'the whole ladder.'))),
-    Prediction('5.2-8', 'The judge rejects negative speeds in its on-set callback, which it registered after the '
-               'declaration. We start it with `-p max_speed_rpm:=-20`. What is its speed?', (
-        wrong('100', 'When the parameter is declared, the callback is not registered yet, so rclpy does not call it.'),
-        wrong('none', 'It would not start if a range rejected the override. But the callback is not registered yet '
-              'when the parameter is declared.'),
-        right('-20', 'The override counts when the parameter is declared. The callback is registered after that.'))),
-    Prediction('5.2-9', 'The winch holds 100 kg and 60 rpm, and its load times its speed may be 10,000 at most. First '
-               'it is set to 400 kg alone, then to 400 kg and 20 rpm in one atomic request. What does it answer?', (
-        wrong('It rejects both', '400 times 20 is 8000, and the callback gets both values at once. The second request '
-              'keeps the rule.'),
-        right('It rejects the first and accepts the second', 'Do the sum, and that is all: 400 times 60 is too much, '
-              'and 400 times 20 is not.'),
-        wrong('It accepts both', '400 times the stored 60 is 24,000, so the first request breaks the rule.'))),
+    Prediction('5.2-1', 'The winch holds 100 kg and 60 rpm. Three requests come: 400 kg; then 400 kg and 20 rpm '
+               'together; then 30 rpm. How many of them does it accept?', (
+        right('1', 'Only the second: 400 times 20 is 8000. The first is judged with the stored 60 rpm, and the third '
+              'with the stored 400 kg.'),
+        wrong('2', 'The third is judged with the 400 kg that the second has stored: 400 times 30 is 12,000. Only the '
+              'second is accepted.'),
+        wrong('3', 'The first is judged with the stored 60 rpm: 400 times 60 is 24,000. Only the second is '
+              'accepted.'),
+        wrong('0', 'The second sets both values at once, and 400 times 20 is 8000. The node accepts it.')),
+        otherwise='The node accepts one of them, the second.'),
+    Prediction('5.2-2', 'The requests are `max_speed_mps 2.0`, `stop_distance_m 2.5`, `max_speed_mps 2.0` and '
+               '`stop_distance_m 0.5`. Which of them does the driver reject?', (
+        wrong('the first, no other', 'The last would leave 2.0 m/s with half a meter, as the first would.'),
+        wrong('the first and the third', 'When the third comes, 2.5 m are stored, and 2.0 m are enough. The last one '
+              'is rejected.'),
+        right('the first and the last', 'Each would leave 2.0 m/s with half a meter. When the third comes, 2.5 m are '
+              'stored.'),
+        wrong('the third and the last', 'The first meets the stored 0.5 m and is rejected. The third meets 2.5 m.'))),
+    Prediction('5.2-3', 'The winch registers its judge after the declarations. It starts with `-p load_kg:=400`, '
+               'and 400 times 60 breaks the rule. What is `load_kg`?', (
+        right('400', 'The override counts when the parameter is declared, and the judge is registered after that.'),
+        wrong('100', 'The override took the place of the default when the parameter was declared, and nobody objected: '
+              'the judge is registered after that.')),
+        otherwise='It is 400: the override counts when the parameter is declared, and the judge is registered later.'),
+    Prediction('5.2-4', 'The speed is 100, and someone sets -20. rclpy asks `drive` first, and then `judge`, which '
+               'rejects. What is `motor_rpm` after that?', (
+        right('-20', 'The motor obeyed a proposal, and the proposal failed. Nothing takes back what `drive` did.'),
+        wrong('100', 'The parameter still holds 100, and the motor does not: `drive` was asked first, and acted.'),
+        wrong('0', '`drive` has set it to -20, before `judge` rejected the value.')),
+        otherwise='It is -20: `drive` was asked first, and acted on a proposal that failed.'),
+    Prediction('5.2-5', '`drive` is a post-set callback now. Someone sets 120, and then -20. What is `motor_rpm` in '
+               'the end?', (
+        right('120', 'rclpy called it for 120, which was stored, and not for -20, which was rejected.'),
+        wrong('-20', 'rclpy calls a post-set callback only when a value is stored, and -20 never was.'),
+        wrong('100', 'rclpy called it for 120, once that was stored.')),
+        otherwise='It is 120: rclpy calls a post-set callback for what was stored, and for nothing else.'),
+    Prediction('5.2-6', '`watch` returns nothing, and 50 rpm are fine for the winch. What does the node do with the '
+               'request?', (
+        wrong('It accepts it', 'An on-set callback without a result counts as a rejection. That keeps the node out of '
+              'states that nobody has judged.'),
+        right('It rejects it', 'An on-set callback has to return a result, and no result counts as a rejection.'),
+        wrong('It never answers', 'Older versions of rclpy raise an exception there. Yours answers with a '
+              'rejection.'))),
 )

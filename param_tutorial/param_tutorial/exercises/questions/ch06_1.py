@@ -18,7 +18,7 @@ RECALLS = (
               'or not at all.'),
         right('They keep their old values', 'An atomic request succeeds as a whole or not at all.'),
         wrong('Only those before it are set', 'The node judges the request as a whole before it stores anything.')),
-           chapter='5.3', section='Change it: all or nothing'),
+           chapter='5.3', section='One by one, or all or nothing'),
 )
 
 PREDICTIONS = (

@@ -17,7 +17,7 @@ RECALLS = (
               'find anything.'),
         wrong('Yes, with the value converted', 'rclpy converts nothing, and rejects the value before any on-set '
               'callback.')),
-           chapter='5.2', section='The callback ladder'),
+           chapter='5.2', section='A rule about two values'),
 )
 
 PREDICTIONS = (

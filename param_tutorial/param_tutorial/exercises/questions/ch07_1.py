@@ -17,7 +17,7 @@ RECALLS = (
         wrong('42', 'YAML reads a number, and the node rejects it.'),
         wrong("'42'", 'The shell removes these quotes, and YAML reads a number.'),
         right('"\'42\'"', 'The shell removes one pair of quotes, and YAML the other.')),
-           chapter='5.1', section='Break it: which type did you mean?'),
+           chapter='5.1', section='Which type did you mean?'),
 )
 
 PREDICTIONS = (

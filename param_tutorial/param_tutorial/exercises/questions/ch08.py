@@ -11,7 +11,7 @@ RECALLS = (
         wrong('both of them have it', 'A value is stored only if all callbacks accept it.'),
         wrong('neither of them has it', 'Nothing takes back what the first callback did. The motor already runs with '
               'the proposal.')),
-           chapter='5.2', section='Break it: acting too early'),
+           chapter='5.2', section='Acting too early'),
     Recall('8-r2', "The file says 180 rpm. A launch file has `parameters=[config, {'max_speed_rpm': 200}]`, where "
            '`config` is that file. With which speed does the robot start?', (
         right('200', 'Here the later source in the list wins.'),

@@ -11,14 +11,14 @@ RECALLS = (
               'nothing.'),
         wrong('It gets the rejected speed', 'It is called only after all values have been accepted and stored.'),
         right('It is not called for this', 'A post-set callback gets what has been stored, and nothing has.')),
-           chapter='5.2', section='The callback ladder'),
+           chapter='5.2', section='Acting on what is stored'),
     Recall('10.1-r2', 'A callback sends a request to another node and then blocks until the answer comes, under the '
            'usual single-threaded executor. What happens?', (
         right('The answer never comes at all', 'Only the executor could deliver the answer, and the callback keeps the '
               'executor busy.'),
         wrong('The answer comes a little late', 'The executor would have to deliver the answer, and this callback '
               'keeps the executor busy.')),
-           chapter='5.3', section='Break it: waiting in the wrong place'),
+           chapter='5.3', section="Don't wait for it"),
 )
 
 PREDICTIONS = (

@@ -17,7 +17,7 @@ RECALLS = (
            'which parameter?', (
         wrong('by the name in each result', 'A result has `successful` and `reason`, but no name.'),
         right('by the order of the results', 'The results come in the order in which the parameters were sent.')),
-           chapter='5.3', section='How it works'),
+           chapter='5.3', section='One by one, or all or nothing'),
 )
 
 PREDICTIONS = (

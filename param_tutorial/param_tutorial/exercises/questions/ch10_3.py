@@ -18,7 +18,7 @@ RECALLS = (
               'order helps.'),
         right('with `set_parameters_atomically` at once', 'The node judges both values together, and stores both or '
               'neither.')),
-           chapter='5.3', section='Change it: all or nothing'),
+           chapter='5.3', section='One by one, or all or nothing'),
 )
 
 PREDICTIONS = (

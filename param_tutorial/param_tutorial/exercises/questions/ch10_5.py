@@ -11,7 +11,7 @@ RECALLS = (
         wrong('only the first of the three', 'The node goes on, and decides about each parameter separately.'),
         wrong('not one of the three', 'That is what `set_parameters_atomically` does. Here the node decides about each '
               'separately.')),
-           chapter='5.3', section='Change it: one of four is wrong'),
+           chapter='5.3', section='One by one, or all or nothing'),
     Recall('10.5-r2', 'A rule holds for two parameters. Which values does a right on-set callback judge?', (
         wrong('the values in the request', 'A request may hold one of the two, and the other is then the stored one.'),
         right('the values after the change', 'Proposed where there is one, and stored where there is none.'),

@@ -140,6 +140,26 @@ function addStyle(text) {
   document.head.append(make('style', {}, style));
 }
 
+/**
+ * Return a slider of ipywidgets, for a panel of the reader's own.
+ * @param {Handle} model
+ */
+function slider(model) {
+  const input = /** @type {any} */ (make('input', {type: 'range'}));
+  const value = make('output');
+  const show = () => {
+    for (const key of ['min', 'max', 'step', 'value']) input[key] = model.get(key);
+    value.textContent = model.get('value');
+  };
+  show();
+  model.on('change', show);
+  input.addEventListener(model.get('continuous_update') ? 'input' : 'change', () => {
+    model.set('value', Number(input.value));
+    model.save_changes();
+  });
+  return make('label', {}, model.get('description'), ' ', input, ' ', value);
+}
+
 /** One output of a cell: a widget with all that is in it. */
 export class View {
   /** @type {Map<string, Handle>} */
@@ -198,9 +218,11 @@ export class View {
       this.fill(element, model);
     } else if (kind === 'AnyModel' && isOfCourse(model.get('_esm'))) {
       this.loading.push(this.begin(element, model));
+    } else if (/^(Float|Int)SliderModel$/.test(kind)) {
+      element.append(slider(model));
     } else {
       const name = kind.replace('Model', '');
-      element.append(`JupyterLab shows a widget here (${name}). A page shows the course’s own widgets only.`);
+      element.append(`JupyterLab shows a widget here (${name}). A page shows sliders and the course’s widgets only.`);
     }
     return element;
   }

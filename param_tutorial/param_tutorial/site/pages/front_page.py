@@ -71,7 +71,8 @@ def front_page_source(index: Path, chapters: Mapping[Path, LiveChapter], facts: 
     :param has_lab: True if JupyterLab for the browser is a part of the site.
     """
     names = [path.stem for path in chapters]
-    text = index.read_text(encoding='utf-8')
+    # There, all but the first five chapters is folded.
+    text = re.sub(r'</?details>\n|<summary>.*</summary>\n', '', index.read_text(encoding='utf-8') + '\n')
     links = Links(index, nbformat.v4.new_notebook(), {*names, 'claims'})
     return _TEXT.format(try_it=_robot_to_try(chapters), ways=_ways(links.in_markdown(text)),
                         chapters=_groups(text, names), provenance=_provenance_text(facts),
@@ -88,7 +89,7 @@ def _robot_to_try(chapters: Mapping[Path, LiveChapter]) -> str:
                 markup = (f'{live_cells(live.cells[:at + 1])}<div class="front-robot cell tag_live-{cell.id}">'
                           f'<div class="cell_output">{still(cell, cell.roots[0])}</div></div>')
                 return (f'{_one_block(markup)}\n\n'
-                        'Move a slider, and press **Drive**. What happens without the safety mode? '
+                        'Move the slider while the robot drives. How fast may it be, and still stop before the wall? '
                         f'That is where [the first lesson]({path.name}) begins.')
     return ''
 

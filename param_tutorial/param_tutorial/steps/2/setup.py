@@ -13,10 +13,10 @@ setup(
     ],
     install_requires=['setuptools'],
     zip_safe=True,
-    maintainer='you',
-    maintainer_email='you@example.org',
-    description='A robot that stops in front of a wall, and whose parameters say how.',
-    license='Apache-2.0',
+    maintainer='learner',
+    maintainer_email='learner@todo.todo',
+    description='TODO: Package description',
+    license='TODO: License declaration',
     tests_require=['pytest'],
     entry_points={
         'console_scripts': [

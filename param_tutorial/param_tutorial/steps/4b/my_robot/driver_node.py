@@ -1,0 +1,43 @@
+import rclpy
+from geometry_msgs.msg import Twist
+from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from sensor_msgs.msg import Range
+
+
+class Driver(Node):
+    def __init__(self):
+        super().__init__('driver')
+        self.declare_parameter('max_speed_mps', 0.5, ParameterDescriptor(
+            description='Speed at which the robot drives, in m/s.',
+            floating_point_range=[FloatingPointRange(from_value=0.0, to_value=2.0)]))
+        self.declare_parameter('stop_distance_m', 0.5, ParameterDescriptor(
+            description='Distance to the wall at which the robot stops, in m.',
+            floating_point_range=[FloatingPointRange(from_value=0.1, to_value=5.0)]))
+        self.distance_m = None
+        self.create_subscription(Range, 'distance', self.listen, 10)
+        self.commands = self.create_publisher(Twist, 'cmd_vel', 10)
+        self.create_timer(0.1, self.drive)
+
+    def listen(self, measured):
+        self.distance_m = measured.range
+
+    def drive(self):
+        command = Twist()
+        stop_distance_m = self.get_parameter('stop_distance_m').value
+        if self.distance_m is not None and self.distance_m > stop_distance_m:
+            command.linear.x = self.get_parameter('max_speed_mps').value
+        self.commands.publish(command)
+
+
+def main():
+    try:
+        rclpy.init()
+        rclpy.spin(Driver())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+
+
+if __name__ == '__main__':
+    main()

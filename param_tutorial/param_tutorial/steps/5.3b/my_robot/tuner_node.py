@@ -1,0 +1,45 @@
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+from rclpy.parameter_client import AsyncParameterClient
+
+
+class Tuner(Node):
+    def __init__(self):
+        super().__init__('tuner')
+        self.declare_parameter('limit_mps', 0.3)
+        self.driver = AsyncParameterClient(self, 'driver')
+        self.question = None
+        self.create_timer(0.5, self.ask)
+
+    def ask(self):
+        if self.question:
+            self.question.cancel()
+        self.question = self.driver.get_parameters(['max_speed_mps'], callback=self.on_speed)
+
+    def on_speed(self, future):
+        if future.cancelled():
+            self.get_logger().warning('no answer from the driver')
+            return
+        speed_mps = future.result().values[0].double_value
+        limit_mps = self.get_parameter('limit_mps').value
+        if speed_mps > limit_mps:
+            self.driver.set_parameters([Parameter('max_speed_mps', value=limit_mps)], callback=self.on_result)
+
+    def on_result(self, future):
+        result = future.result().results[0]
+        if not result.successful:
+            self.get_logger().warning(f'the driver says: {result.reason}')
+
+
+def main():
+    try:
+        rclpy.init()
+        rclpy.spin(Tuner())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+
+
+if __name__ == '__main__':
+    main()
