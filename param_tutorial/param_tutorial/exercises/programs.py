@@ -132,6 +132,8 @@ def running(trial: Trial, exercise: Exercise, words: str = '', start: Start = st
     try:
         name = _wait_for_node(trial, exercise, terminal, f'{CORNER}{namespace}/', before)
         trial.names.add(name.rpartition('/')[2])
+        # A node has its name before its services are discovered, and a busy machine takes its time.
+        trial.ros.services.find(name, 'list_parameters', START_SEC)
         trial.client(name).list_parameters()
         yield Program(terminal, name, namespace)
     except NodeError as error:
