@@ -70,6 +70,17 @@ def test_what_a_callback_raises_names_the_line_and_the_robot_stops(package):
     assert 'timer callback drive of /driver: AttributeError in line 20 of driver_node.py' in package.status().words
 
 
+def test_a_callback_that_does_not_return_takes_its_node_off_the_stage(package):
+    package.save('driver_node.py', DRIVER.replace('command = Twist()', 'while True: pass'))
+    param_tutorial.wait_until(lambda: stage.current().busy_sec, 'the callback')
+    stage.current().run(lambda: None, 'ask for the thread')
+    param_tutorial.wait_until(lambda: package.node() is None, 'the end of the node')
+    assert package.status().line == 19
+    assert package.status().words.endswith('The stage runs it no longer.')
+    package.save('driver_node.py', SLOW)
+    assert speed(package) == 0.25
+
+
 def test_the_stage_runs_ours_until_a_step_is_passed_and_the_readers_file_stays(package):
     package.save('driver_node.py', SLOW)
     package.need('3d')
