@@ -26,9 +26,10 @@ pytestmark = [
     pytest.mark.thorough, pytest.mark.timeout(600),  # each wait may take lab.TIMEOUT_SEC
     *(pytest.mark.filterwarnings(f'ignore::{kind}Warning') for kind in ('Deprecation', 'PendingDeprecation'))]
 
-# Before JupyterLab finds a picture among the reader's files, the browser asks for it beside the page. And the browser
-# names each request that the policy forbids; the tests make some to this machine, and none may go to another one.
-KNOWN = r"lab/images/robot\.svg|http://127\.0\.0\.1:\d+/'? because it violates|Fetch API cannot load http://127|" \
+# Before JupyterLab finds the start page's pictures among the reader's files, the browser asks for them beside the page.
+# And the browser names each request that the policy forbids; the tests make some to this machine, and none may go to
+# another one.
+KNOWN = r"lab/images/\w+\.svg|http://127\.0\.0\.1:\d+/'? because it violates|Fetch API cannot load http://127|" \
         r"Connecting to 'http://127|Failed to load 'http://127"
 
 
