@@ -235,7 +235,7 @@ class FollowedPackage:
         if found:
             error = describe(found.error, self.root / self.files.root.name / program.name)
             gone = ''
-            if program.node and not isinstance(found.error, Exception):  # it was interrupted, and would keep the only thread again
+            if program.node and not isinstance(found.error, Exception):  # it would keep the only thread again
                 stage.current().remove(program.node)
                 program.node, program.node_class, gone = None, None, ' The stage runs it no longer.'
             program.status = Status(f'{found}: {error}{gone}', True, error.line)
