@@ -18,12 +18,13 @@ from param_tutorial.nodes.base_node import BaseNode
 from tests.support.answers import answer, blank, cell, not_yet, solution
 
 
-def test_the_stored_answer_to_each_blank_is_that_nothing_is_done_and_the_first_hint():
+def test_the_stored_answer_to_each_blank_is_that_nothing_is_done_and_the_first_hint_unless_it_begins_with_what_works():
     """The chapters' own tests run the blanks, and compare."""
     for number, exercise in EXERCISES.items():
         text = ' '.join(cell(number, 'check').outputs[0].data['text/plain'].split())
-        assert text.startswith(f'Exercise {number}: not yet, 0 of {len(exercise.requirements)} done')
-        assert ' '.join(exercise.hints[0].split()) in text
+        done = {'4a': 3, '4c': 1}.get(number, 0)
+        assert text.startswith(f'Exercise {number}: not yet, {done} of {len(exercise.requirements)} done')
+        assert done or ' '.join(exercise.hints[0].split()) in text
 
 
 def test_a_requirement_that_builds_on_one_that_is_not_met_is_not_tried(ros):

@@ -28,7 +28,6 @@ WRONG = {
         ([(_PUBLISHER, f'{_COPY}{_PUBLISHER}'), (_SPEED, 'command.linear.x = self.speed_mps')], 3,
          'still uses a copy that was made before'),
         ([(_SPEED, 'command.linear.x = 0.5')], 1, 'it is 0.5'),
-        ([(_SPEED, _SPEED.removesuffix('.value'))], 1, 'Does the node set `linear.x`, and to a float?'),
         ([('(self)', '()')], 0, 'takes 0 positional arguments but 1 was given'),
         ([(_READ, _READ.removeprefix('self.'))], 0, "name 'get_parameter' is not defined"),
         ([(_READ, _READ.replace('max_speed', 'max_sped'))], 0, 'Invalid access to undeclared parameter'),
