@@ -107,7 +107,7 @@ class PackageFiles:
     @classmethod
     def apart(cls) -> 'PackageFiles':
         """Return those in a folder that is empty, and goes with this process."""
-        return cls(_temporary_folder() / 'apart')
+        return cls(Path(tempfile.mkdtemp(dir=_temporary_folder())))
 
     @staticmethod
     def place(name: str) -> str:

@@ -11,7 +11,7 @@ WRONG = {
         ([('<exec_depend>rclpy</exec_depend>', '<build_depend>rclpy</build_depend>')], 2,
          'there is none for `rclpy`. A `<build_depend>` says something else'),
         ([('<exec_depend>rclpy</exec_depend>', '<exec_depend>rclpy<exec_depend>')], 0,
-         'mismatched tag: line 18, column 2: `</package>`'),
+         'mismatched tag: line 19, column 2: `</package>`'),
         ([('<exec_depend>rclpy', '<exec_depend>rclpy geometry_msgs'), ('  <exec_depend>geometry_msgs</exec_depend>\n',
                                                                      '')], 2, 'none for `rclpy`, `geometry_msgs`'),
         ([('<name>my_robot', '<name>robot')], 0, 'it says `robot`'),
@@ -45,7 +45,7 @@ WRONG = {
     ],
     '2d': [
         ([(PRINT, "print('Hi from my_robot.')")], 0, 'it prints `Hi from my_robot.`'),
-        ([('def main', 'def start'), ('    main()', '    start()')], 0, "cannot import name 'main'"),
+        ([('def main', 'def start'), ('    main()', '    start()')], 0, "has no attribute 'main'"),
         ([(PRINT, PRINT[:-1])], 0, 'SyntaxError'),
         ([(PRINT, 'pass')], 0, 'it prints nothing'),
         ([("            'driver_node = my_robot.driver_node:main'\n", '')], 0, 'there is none'),
