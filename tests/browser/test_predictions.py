@@ -12,7 +12,7 @@ from tests.support.lab import RESTART_KERNEL, CourseLab, LabPage, chromium
 pytestmark = [pytest.mark.thorough, pytest.mark.timeout(600)]
 
 CHAPTER = '03_declaring.ipynb'
-CELLS = ('# 3\nA question:', "from param_tutorial import exercises\n\nexercises.predict('3-1')", "print('decided')",
+CELLS = ('# 3\nA question:', "from param_tutorial import exercises\n\nexercises.predict('3-3')", "print('decided')",
          'And a value:', "exercises.predict('6.1-2')", "print('decided too')",
          'What is solved:', "exercises.progress('3')", 'The next one solves it:',
          "from param_tutorial.learner.progress import own_progress\n\n"
@@ -20,7 +20,7 @@ CELLS = ('# 3\nA question:', "from param_tutorial import exercises\n\nexercises.
          "exercises.progress('3')")
 
 VEILED = ('# 3\nThe first cell:', '%load_ext param_tutorial\nfrom param_tutorial import exercises',
-          'A question:', "exercises.predict('3-1')", "print('decided')", 'What it means:', "print('later')",
+          'A question:', "exercises.predict('3-3')", "print('decided')", 'What it means:', "print('later')",
           'Still veiled:\n\n## The next part\n\nAnother question:', "exercises.predict('3-2')", "print('second')",
           'What the second means:')
 OF_FIRST = ('decided', 'What it means:', 'later', 'Still veiled:')
@@ -73,9 +73,9 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
         page.keyboard.press('Shift+Enter')
         expect(first).to_contain_text('Now run the next cell.')
         page.keyboard.press('Shift+Enter')
-        told = 'Not so. A parameter that is not declared'
+        told = 'Not so. To declare is to create'
         expect(first).to_contain_text(told)
-        assert [each.get_attribute('data-mark') for each in first.locator('label').all()] == ['wrong', 'right', None]
+        assert [each.get_attribute('data-mark') for each in first.locator('label').all()] == ['wrong', None, 'right']
         # JupyterLab scrolls to the next cell; what it was about stands above that.
         below = page.locator('.jp-Cell').nth(2).locator('.param-predict')
         expect(below).to_contain_text(f'✗ {told}')
@@ -87,12 +87,12 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
         second.get_by_role('textbox').fill('5')
         second.get_by_role('textbox').press('Enter')
         expect(second).to_contain_text('Right. -20, -15')
-        expect(page.locator('.param-progress').first).to_contain_text('1 of 7 predictions made, 0 of them right')
+        expect(page.locator('.param-progress').first).to_contain_text('1 of 6 predictions made, 0 of them right')
         expect(page.locator('.param-progress').last).to_contain_text('Solved.')
         assert lab_page.errors == []
     remembered = json.loads((lab.copies / 'progress.json').read_text())
     assert list(remembered['solved']) == ['3a', '3b', '3c', '3d']
-    assert {number: each['right'] for number, each in remembered['predicted'].items()} == {'3-1': False, '6.1-2': True}
+    assert {number: each['right'] for number, each in remembered['predicted'].items()} == {'3-3': False, '6.1-2': True}
 
     # The next start: the page has a tick, and the file is what it was.
     with lab, chromium() as browser:
