@@ -98,6 +98,7 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
     with lab, chromium() as browser:
         page = browser.new_page()
         page.goto(f'{lab.url}?token={lab.token}')
+        page.get_by_text('All chapters', exact=True).click()
         expect(page.get_by_role('row', name='3 ✓ Declaring')).to_be_visible()
     assert json.loads((lab.copies / 'progress.json').read_text()) == remembered
 
