@@ -155,20 +155,17 @@ class Exercise:
         picture = ''
         try:
             with no_input.forbidden(error_if_asked), borrowed_stage() as ros:
-                try:
-                    trial = Trial(ros, self.takes.open(work))
-                except NoUse as error:
-                    return self._result([_finding(self.requirements[0], error),
-                                         *(Finding(each.sentence, None) for each in self.requirements[1:])])
+                trial: Trial | None = None
                 for requirement in self.requirements:
                     try:
+                        trial = trial or Trial(ros, self.takes.open(work))
                         findings.append(_try_out(requirement, trial))
                         trial.met[requirement.examine] = bool(findings[-1].done)
                     except NoUse as error:
                         findings.append(_finding(requirement, error))
                         break
                     names = set(trial.names)
-                picture = trial.picture
+                picture = trial.picture if trial else ''
         except ExecutorError as error:  # no executor can be had, or a callback of the learner's keeps it for good
             untried = [each.sentence for each in self.requirements[len(findings):]]
             findings.append(Finding([*untried, 'the stage is clear afterwards'][0], False, happened=str(error)))

@@ -1,6 +1,6 @@
 """Steps of the reader's own package as answers: the check makes the driver's node in its corner, and is its base."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -22,14 +22,15 @@ def _path(work: FollowedPackage | PackageFiles, name: str) -> Path:
     return files.path(name)
 
 
-def _class_in(name: str) -> Callable[[FollowedPackage | PackageFiles], type[Node]]:
-    def load(work: FollowedPackage | PackageFiles) -> type[Node]:
-        path = _path(work, name)
-        try:
-            return load_node_class(path, path.parents[1])
-        except LoadError as error:
-            raise NoUse(f'a class of nodes in `{name}`', str(error)) from None
-    return load
+def class_of(path: Path) -> type[Node]:
+    """Return the class of nodes in one of the reader's files.
+
+    :raises NoUse: there is none.
+    """
+    try:
+        return load_node_class(path, path.parents[1])
+    except LoadError as error:
+        raise NoUse(f'a class of nodes in `{path.name}`', str(error)) from None
 
 
 def _is_package(work: Any) -> bool:
@@ -39,11 +40,11 @@ def _is_package(work: Any) -> bool:
 PACKAGE = Kind('your package, as `Package(...)` has returned it', _is_package, 'package',
                lambda work: getattr(work, 'files', work))
 """The files of the reader's package."""
-DRIVER = PACKAGE._replace(open=_class_in('driver_node.py'))
+DRIVER = PACKAGE._replace(open=lambda work: class_of(_path(work, 'driver_node.py')))
 """The class of nodes in the reader's driver."""
 DRIVER_PROGRAM = DRIVER._replace(open=lambda work: _path(work, 'driver_node.py'))
 """The file itself, as a program."""
-TUNER = DRIVER._replace(open=_class_in('tuner_node.py'))
+TUNER = DRIVER._replace(open=lambda work: class_of(_path(work, 'tuner_node.py')))
 TUNER_PROGRAM = DRIVER._replace(open=lambda work: _path(work, 'tuner_node.py'))
 
 

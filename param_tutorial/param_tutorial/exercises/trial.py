@@ -60,6 +60,11 @@ _NOT_A_PARAMETER_FILE = re.compile(r"Couldn't parse params file: .*? Error: (.*?
 _NODE_KEY = re.compile(rf'(["\']?)(?!/?\*\*|{CORNER}/)/?(?=[\w*])')
 
 
+def overrides(start: Mapping[str, object]) -> list[str]:
+    """Return the words after ``--ros-args`` with which a node starts with these values."""
+    return [word for name, value in start.items() for word in ('-p', f'{name}:={value}')]
+
+
 def moved_to(namespace: str) -> list[str]:
     """Return the rules that put a node into a namespace, and let it find the nodes there that an exercise names."""
     return [f'__ns:={namespace}', *(f'{node}/{service}:={namespace}{node}/{service}'

@@ -133,13 +133,11 @@ class PackageFiles:
         except (OSError, UnicodeDecodeError) as error:
             raise PackageError(f'{name} cannot be read: {error}') from None
 
-    def lay_out(self, step: str) -> bool:
-        """Write those files of ours that the reader does not have; return whether there was no package before."""
-        is_new = not self.root.exists()
+    def lay_out(self, step: str) -> None:
+        """Write those files of ours that the reader does not have."""
         for name, text in ours(step).items():
             if not (self.root / name).exists():
                 self._write(name, text)
-        return is_new
 
     def write(self, name: str, text: str, base: str) -> None:
         """Write a file of the reader's.

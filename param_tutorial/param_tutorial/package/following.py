@@ -89,7 +89,11 @@ class FollowedPackage:
         return f'<{type(self).__name__}: {self.files.root.name}>'
 
     def close(self) -> None:
-        """Follow the files no longer; what is on the stage stays there."""
+        """Follow the files no longer; what is on the stage stays there. Safe to call more than once."""
+        global _open
+        if _open is not self:
+            return
+        _open = None
         self._job.end()
         if shell := get_ipython():
             shell.events.unregister('post_run_cell', self._after_cell)
@@ -123,7 +127,7 @@ class FollowedPackage:
         solved = passed | set(progress.read()[0].solved if progress else ())
         later = steps()[steps().index(self._step):]
         return self._step in solved or (bool(self._programs) and any(
-            all(self.files.text(each.name) == ours(step).get(f'{self.files.root.name}/{each.name}', '')
+            all(self.files.text(each.name) == ours(step).get(self.files.place(each.name), '')
                 for each in self._programs) for step in later))
 
     def take_ours(self, step: str = '') -> None:
@@ -203,7 +207,7 @@ class FollowedPackage:
 
     def _run(self, program: _Program) -> None:
         """Put the node of a file onto the stage, in the place of the one before; if that fails, that one again."""
-        before, path = program.node_class, self.root / self.files.root.name / program.name
+        before, path = program.node_class, self.root / self.files.place(program.name)
         if not path.exists():
             program.status = Status(f'There is no {program.name} yet.')
             return
@@ -233,7 +237,7 @@ class FollowedPackage:
             return False
         program.failure = found
         if found:
-            error = describe(found.error, self.root / self.files.root.name / program.name)
+            error = describe(found.error, self.root / self.files.place(program.name))
             gone = ''
             if program.node and not isinstance(found.error, Exception):  # it would keep the only thread again
                 stage.current().remove(program.node)

@@ -21,7 +21,7 @@ from param_tutorial.exercises.exercise import TEXT, Exercise
 from param_tutorial.exercises.programs import describe_exception
 from param_tutorial.exercises.steps import PACKAGE
 from param_tutorial.exercises.trial import NoUse, Trial, expect, take_for_granted
-from param_tutorial.learner.package_files import PackageFiles
+from param_tutorial.learner.package_files import NAME, PackageFiles
 from param_tutorial.notebook.shell import NO_SHELL, Shell
 from param_tutorial.notebook.terminal import Terminal
 
@@ -126,7 +126,6 @@ def expect_program(built: Built, package: str, program: str) -> None:
 
 # -- 2a and 2d: the reader's package ---------------------------------------------------------------------------------
 
-NAME = 'my_robot'
 NEEDED = 'rclpy', 'geometry_msgs', 'sensor_msgs', 'rcl_interfaces'
 DRIVES = 'I drive my_robot.'
 

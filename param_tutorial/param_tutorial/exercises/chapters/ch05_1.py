@@ -8,9 +8,11 @@ from pathlib import Path
 from rclpy.node import Node
 
 from param_tools import values
+from param_tutorial.exercises import steps
 from param_tutorial.exercises.exercise import TEXT, Exercise, Kind
+from param_tutorial.exercises.steps import class_of
 from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, expect
-from param_tutorial.learner.package_files import ours
+from param_tutorial.learner.package_files import NAME, our_copy
 from param_tutorial.package.following import FollowedPackage
 
 CHAPTER = '05_1_from_the_command_line'
@@ -19,8 +21,8 @@ SPELLING = 'Which type did you mean?'
 REJECTIONS = 'Rejections and typos'
 FILES = 'Values from a file'
 
-PACKAGE = Kind('your package, as `Package(...)` has returned it', lambda work: isinstance(work, FollowedPackage),
-               'package')
+# Not its files alone: what is judged is on the stage.
+PACKAGE = steps.PACKAGE._replace(fits=lambda work: isinstance(work, FollowedPackage), open=lambda work: work)
 NODE = Kind('a node, as `ros.add(...)` has returned it', lambda work: isinstance(work, Node), 'my_node')
 
 
@@ -108,9 +110,7 @@ _NAME = 'driver.yaml'
 
 def driver_class() -> type[Node]:
     """Return a driver of ours that has both parameters."""
-    space: dict[str, type[Node]] = {}
-    exec(ours('4b')['my_robot/driver_node.py'], space)
-    return space['Driver']
+    return class_of(our_copy('4b') / NAME / 'driver_node.py')
 
 
 @file.require('`ros2 param load` sets both values in a running driver', see=FILES)

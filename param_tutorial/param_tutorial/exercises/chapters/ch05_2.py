@@ -23,7 +23,16 @@ from param_tutorial.exercises.expectations import (
     take_type_for_granted,
 )
 from param_tutorial.exercises.steps import DRIVER, Bench, expect_commands, expect_speed
-from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, describe_error, expect, take_for_granted
+from param_tutorial.exercises.trial import (
+    NoStart,
+    NotYet,
+    NoUse,
+    Trial,
+    describe_error,
+    expect,
+    overrides,
+    take_for_granted,
+)
 
 CHAPTER = '05_2_with_a_callback'
 JUDGE = 'A rule about two values'
@@ -62,8 +71,7 @@ def start_driver(trial: Trial, start: Mapping[str, float] | None = None, *,
     :param node_class: The learner's class, or derived from it.
     """
     try:
-        driver = trial.start(node_class, ros_args=[
-            word for name, value in (start or {}).items() for word in ('-p', f'{name}:={value}')])
+        driver = trial.start(node_class, ros_args=overrides(start or {}))
     except NoStart as error:
         if 'ParameterNotDeclared' not in error.happened:
             raise

@@ -26,7 +26,7 @@ from param_tutorial.exercises.expectations import (
     take_type_for_granted,
 )
 from param_tutorial.exercises.programs import require_program
-from param_tutorial.exercises.steps import TUNER, TUNER_PROGRAM
+from param_tutorial.exercises.steps import TUNER, TUNER_PROGRAM, class_of
 from param_tutorial.exercises.trial import (
     STUCK,
     TIME_LIMIT_SEC,
@@ -36,7 +36,6 @@ from param_tutorial.exercises.trial import (
     cleared,
     expect,
 )
-from param_tutorial.package.loading import LoadError, load_node_class
 
 CHAPTER = '05_3_from_another_node'
 ASK = 'Ask for a value'
@@ -196,10 +195,7 @@ def start_tuner(trial: Trial, *words: str) -> tuple[Node, ParameterClient]:
 
     :raises NoUse: its file makes none.
     """
-    try:
-        tuner: Node = trial.start(load_node_class(trial.work, trial.work.parents[1]), ros_args=words)
-    except LoadError as error:
-        raise NoUse('a class of nodes in `tuner_node.py`', str(error)) from None
+    tuner: Node = trial.start(class_of(trial.work), ros_args=words)
     trial.names.add(tuner.get_name())
     return tuner, trial.client(tuner)
 

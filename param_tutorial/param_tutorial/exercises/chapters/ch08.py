@@ -35,7 +35,7 @@ from param_tutorial.exercises.programs import (
     require_program,
     running,
 )
-from param_tutorial.exercises.trial import NoStart, NotTried, NotYet, NoUse, Trial, expect, take_for_granted
+from param_tutorial.exercises.trial import NoStart, NotTried, NotYet, NoUse, Trial, expect, overrides, take_for_granted
 
 CHAPTER = '08_best_practices'
 DECLARE = 'Practice 1: declare everything, with a default that works'
@@ -175,7 +175,7 @@ def judges_the_start(trial: Trial) -> None:
 
 def start_with(speed: float, gap: float) -> list[str]:
     """Return the words that start a conveyor with these values."""
-    return ['-p', f'{SPEED}:={speed}', '-p', f'{GAP}:={gap}']
+    return overrides({SPEED: speed, GAP: gap})
 
 
 class Belt(Node):

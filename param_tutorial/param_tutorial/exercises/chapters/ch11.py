@@ -43,7 +43,7 @@ from param_tutorial.exercises.expectations import (
     take_type_for_granted,
 )
 from param_tutorial.exercises.programs import require_ends, running
-from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect, overrides
 from param_tutorial.nodes.cart_node import AISLE_M, CartNode
 from param_tutorial.notebook.shell import NO_SHELL, Shell
 from param_tutorial.notebook.terminal import Terminal
@@ -61,12 +61,6 @@ TUNE = 'Tune'
 
 def settings(speed_mps: float, acceleration_mps2: float) -> dict[str, float]:
     return {'max_speed_mps': speed_mps, 'max_acceleration_mps2': acceleration_mps2}
-
-
-def overrides(speed_mps: float, acceleration_mps2: float) -> list[str]:
-    """Return the words that make a cart start with these."""
-    return [word for name, value in settings(speed_mps, acceleration_mps2).items()
-            for word in ('-p', f'{name}:={value}')]
 
 
 def show_trip(trial: Trial, cart: Node) -> None:
@@ -150,7 +144,7 @@ def start_cart(trial: Trial, *values: float, node_class: type[Node] | None = Non
     :raises NoStart: it does not start.
     :raises NoUse: it lacks a parameter.
     """
-    cart = trial.start(node_class, ros_args=overrides(*values) if values else [])
+    cart = trial.start(node_class, ros_args=overrides(settings(*values)) if values else [])
     missing = [name for name in settings(1.0, 0.5) if not cart.has_parameter(name)]
     if missing:
         raise NoUse(f'a parameter `{missing[0]}`, from 11a', 'the node has none of that name')
