@@ -23,7 +23,7 @@ CELLS = (
     'SideBySide(view, ParameterPanel(robot))',
     '## A question\nTo declare is one thing, an atomic request another:',
     "exercises.predict('1-1')", "print('decided')", 'What it means:',
-    '## What an exercise says\nA check:', "exercises.check('1b', {})",
+    '## What an exercise says\nA check:', "exercises.check('1a', {})",
     '## The words\n\n| word | meaning |\n| --- | --- |\n| to declare | create a parameter |\n'
     '| atomic | all or nothing |',
 )
