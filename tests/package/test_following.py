@@ -7,7 +7,7 @@ import pytest
 import param_tutorial
 from param_tools.errors import ParameterToolError
 from param_tools.ros import stage
-from param_tutorial import Package
+from param_tutorial import Package, Terminal
 from param_tutorial.learner import package_files
 from param_tutorial.learner.package_files import ours, steps
 from param_tutorial.learner.progress import FILE, VARIABLE
@@ -15,6 +15,17 @@ from param_tutorial.package import loading
 
 DRIVER = ours('3d')['my_robot/driver_node.py']
 SLOW = DRIVER.replace('0.5', '0.25')
+LAUNCH = '''
+from launch import LaunchDescription
+from launch.substitutions import PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+    slow = PathJoinSubstitution([FindPackageShare('my_robot'), 'config', 'slow.yaml'])
+    return LaunchDescription([Node(package='my_robot', executable='driver_node', name='driver', parameters=[slow])])
+'''
 
 
 @pytest.fixture
@@ -147,3 +158,35 @@ def test_a_step_or_a_chapter_that_there_is_not_is_named(package):
 def test_each_step_changes_something():
     for before, after in zip(steps(), steps()[1:], strict=False):
         assert ours(before) != ours(after), after
+
+
+def test_a_start_takes_arguments_and_keeps_them(package):
+    package.start('-p', 'max_speed_mps:=0.75')
+    assert speed(package) == 0.75
+    package.save('driver_node.py', SLOW)
+    assert speed(package) == 0.75
+    assert 'It begins as `-p max_speed_mps:=0.75` says' in package.status().words
+    package.start('-p', 'max_speed_mps:=fast')
+    assert package.status().is_error
+    assert speed(package) == 0.75
+
+
+def test_a_program_takes_the_place_of_the_node_that_was_stopped(package):
+    package.stop()
+    package.save('driver_node.py', SLOW)
+    assert [each.get_name() for each in stage.current().nodes] == ['base']
+    program = Terminal('ros2 run my_robot driver_node')
+    assert param_tutorial.ParameterClient('/driver').get_parameter('max_speed_mps') == 0.25
+    assert program.interrupt() == 0
+    package.start()
+    assert speed(package) == 0.25
+
+
+def test_a_launch_finds_the_files_of_the_package_without_a_build(package):
+    package.stop()
+    package.files.write('launch/start_launch.py', LAUNCH, '')
+    package.files.write('config/slow.yaml', '/driver:\n  ros__parameters:\n    max_speed_mps: 0.125\n', '')
+    package.save('driver_node.py', DRIVER)
+    program = Terminal('ros2 launch my_robot start_launch.py')
+    assert param_tutorial.ParameterClient('/driver').get_parameter('max_speed_mps') == 0.125
+    assert program.interrupt() == 0

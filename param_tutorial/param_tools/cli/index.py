@@ -16,7 +16,7 @@ from pathlib import Path
 from ament_index_python.packages import get_package_prefix, get_package_share_directory
 
 from param_tools.cli.session import CommandFailed
-from param_tools.ros.environment import provided_packages
+from param_tools.ros.environment import package_in_work, provided_packages
 
 _SEARCH_PATH = 'AMENT_PREFIX_PATH'
 
@@ -40,8 +40,10 @@ def share_folder_of(package: str) -> Path:
 
     :raises PackageNotFound: there is no such package.
     """
+    in_work = package_in_work()
+    stands_in = package in provided() or (in_work is not None and package == in_work.name)
     # The error says where was searched, and should name no folder that nobody knows.
-    with _not_found(), provided_packages_installed() if package in provided() else contextlib.nullcontext():
+    with _not_found(), provided_packages_installed() if stands_in else contextlib.nullcontext():
         return Path(get_package_share_directory(package))
 
 
@@ -57,8 +59,10 @@ def provided(environment: Mapping[str, str] = os.environ) -> dict[str, str]:
 def provided_packages_installed() -> Iterator[None]:
     """Let ``ament_index_python`` find the provided packages, too, unless the environment forbids it."""
     # At the end: a package of the same name that has been built and sourced comes first.
-    spaces = [os.environ.get(_SEARCH_PATH, ''), *(_stand_in(name, source) for name, nodes in provided().items()
-                                                  if (source := _source_folder(name, nodes)))]
+    sources = {name: _source_folder(name, nodes) for name, nodes in provided().items()}
+    if in_work := package_in_work():
+        sources[in_work.name] = in_work
+    spaces = [os.environ.get(_SEARCH_PATH, ''), *(_stand_in(name, source) for name, source in sources.items() if source)]
     with _searching(os.pathsep.join(filter(None, spaces))):
         yield
 
@@ -102,8 +106,8 @@ def _stand_in(package: str, source: Path) -> str:
     marker.parent.mkdir(parents=True)
     marker.touch()
     share.mkdir()
-    # config/ may also stand beside the package.
-    for name, folders in (('launch', [source]), ('config', [source, source.parent])):
-        if found := next((each / name for each in folders if (each / name).is_dir()), None):
-            (share / name).symlink_to(found)
+    (share / 'launch').symlink_to(source / 'launch')
+    # In a package in work, what is missing may come. config/ may also stand beside the package.
+    config, beside = source / 'config', source.parent / 'config'
+    (share / 'config').symlink_to(beside if beside.is_dir() and not config.is_dir() else config)
     return folder.name

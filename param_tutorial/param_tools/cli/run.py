@@ -12,7 +12,7 @@ from pathlib import Path
 from param_tools.cli import index
 from param_tools.cli.session import CommandFailed, Commands, Session
 from param_tools.ros import host
-from param_tools.ros.environment import provided_packages
+from param_tools.ros.environment import package_in_work, provided_packages
 from param_tools.ros.waiting import Steps
 
 
@@ -75,7 +75,7 @@ def _wait_for_end(command: Sequence[str]) -> Steps:
 def find_program(package: str, program: str, environment: Mapping[str, str] = os.environ) -> list[str]:
     """Find a program: in the install spaces that have been sourced, else among the nodes of provided packages.
 
-    Where there are no processes, it may also be a file of a package in ``ros2_ws/src`` of the current folder.
+    A package in work, which a notebook follows, counts as installed: its programs are the files of its nodes.
 
     :param environment: Tells what has been sourced.
     :return: The words that start it.
@@ -85,10 +85,9 @@ def find_program(package: str, program: str, environment: Mapping[str, str] = os
     try:
         installed = _installed_programs(package, environment)
     except index.PackageNotFound:
-        # Where nothing can be built, as in a page, the source of a package in the usual workspace is all there is.
-        source = Path('ros2_ws', 'src', package, package, f'{program}.py')
-        if not host.host.has_processes and source.is_file():
-            return [sys.executable, str(source.resolve())]
+        source = package_in_work(environment)
+        if source is not None and source.name == package:
+            return [sys.executable, str(_file_of(source, program))]
         return _provided_program(package, program, environment)
     paths = [path for path in installed if path.name == program]
     if not paths:
@@ -110,6 +109,13 @@ def _installed_programs(package: str, environment: Mapping[str, str] = os.enviro
         below[:] = sorted(name for name in below if not name.startswith('.'))
         found += [Path(folder, name) for name in sorted(names) if os.access(Path(folder, name), os.X_OK)]
     return found
+
+
+def _file_of(source: Path, program: str) -> Path:
+    files = {each.stem: each for each in sorted((source / source.name).glob('*_node.py'))}
+    if program not in files:
+        raise ProgramNotFound([*files])
+    return files[program]
 
 
 def _provided_program(package: str, program: str, environment: Mapping[str, str]) -> list[str]:

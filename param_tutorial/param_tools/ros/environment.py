@@ -6,9 +6,11 @@ Most of it stands in a ``.bashrc``, where it is right for a robot. Processes tha
 import functools
 import os
 import sys
+from collections.abc import Mapping
 from importlib.metadata import entry_points
 from pathlib import Path
 
+PACKAGE_IN_WORK = 'PARAM_TOOLS_PACKAGE_IN_WORK'
 _MIDDLEWARE = 'RMW_IMPLEMENTATION'
 # In a ROS domain of our own on this host, each of them keeps processes from finding each other, stops them with an
 # error, or has every one of them print a warning.
@@ -24,6 +26,15 @@ def provided_packages() -> dict[str, str]:
         ``python -m PACKAGE NODE`` runs one. Distributions name both in the entry-point group ``param_tools.packages``.
     """
     return {each.name: each.value for each in entry_points(group='param_tools.packages')}
+
+
+def package_in_work(environment: Mapping[str, str] = os.environ) -> Path | None:
+    """Return the folder of the package that a notebook follows, which its commands use as it lies there, without a build.
+
+    :param environment: Names the folder in PARAM_TOOLS_PACKAGE_IN_WORK; None is returned if it names none.
+    """
+    folder = environment.get(PACKAGE_IN_WORK)
+    return Path(folder) if folder else None
 
 
 def drop_missing_middleware() -> None:

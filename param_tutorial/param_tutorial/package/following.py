@@ -1,6 +1,7 @@
 """The reader's package on the stage: the robot's base, and the nodes of the files as soon as they are saved."""
 
 import difflib
+import os
 import threading
 from collections.abc import Callable
 from pathlib import Path
@@ -10,6 +11,7 @@ from IPython import get_ipython
 from rclpy.node import Node
 
 from param_tools.ros import host, stage
+from param_tools.ros.environment import PACKAGE_IN_WORK
 from param_tools.ros.executor import Failure
 from param_tools.ros.listeners import Listeners
 from param_tools.ros.schedule import Job
@@ -41,6 +43,8 @@ class _Program:
         """The text that was looked at last; None before the first look."""
         self.node_class: type[Node] | None = None
         self.node: Node | None = None
+        self.words: tuple[str, ...] = ()
+        """What it was started with."""
         self.status = Status('')
         self.failure: Failure | None = None
 
@@ -65,13 +69,15 @@ class FollowedPackage:
             print(f'Your {self.files.root.name} is further than this chapter, and stays as it is. The chapter works in '
                   'another folder, which is empty and goes with the kernel.')
             self.files = PackageFiles.apart()
+        self._step = '' if makes_package else last_step_before(chapter)
         self.home = self.files.lessons
         """The folder of the lessons, in which a chapter's shells begin."""
-        self.root = self.files.root
-        """The folder of the package that the stage runs: the reader's, or a copy of ours."""
+        # In chapter 2 a shell finds the package after it has been built, and not before.
+        self._is_followed = bool(self._step) or not host.host.has_processes
+        self._work_in(self.files.root)
         self._lock = threading.RLock()
         self._listeners: Listeners[[]] = Listeners()
-        self._step = '' if makes_package else last_step_before(chapter)
+        self._words: tuple[str, ...] | None = ()
         self._programs = [_Program(name) for name in names or ('driver_node.py',)] if self._step else []
         # Where there is a shell, the reader types the command that writes the first step.
         if not (makes_package and host.host.has_processes):
@@ -94,6 +100,7 @@ class FollowedPackage:
         if _open is not self:
             return
         _open = None
+        os.environ.pop(PACKAGE_IN_WORK, None)
         self._job.end()
         if shell := get_ipython():
             shell.events.unregister('post_run_cell', self._after_cell)
@@ -103,7 +110,7 @@ class FollowedPackage:
     def need(self, step: str) -> None:
         """Let the stage run nodes that have passed a step: the reader's if they have, ours if not.
 
-        The reader's files stay as they are, and run as soon as they are saved.
+        After ``stop`` it still runs none. The reader's files stay as they are, and run as soon as they are saved.
 
         :raises PackageError: there is no such step.
         """
@@ -111,15 +118,43 @@ class FollowedPackage:
         with self._lock:
             self._step = step
             has_passed = self._has_passed()
-            self.root = self.files.root if has_passed else copy
+            self._work_in(self.files.root if has_passed else copy)
             for program in self._programs:
                 program.seen = self.files.text(program.name)
                 self._run(program)
-                if not has_passed:
+                if not has_passed and self._words is not None:
                     program.status = Status(
                         f'The stage runs our {program.name} as it is after step {step}. Yours has not passed that '
                         'step; it stays as it is, and runs when you save it.')
         self._listeners.call()
+
+    def start(self, *words: str) -> None:
+        """Start the nodes again, as a new process would.
+
+        :param words: What would come after ``--ros-args``, now and at each later start: '-p', 'max_speed_mps:=0.8'.
+        """
+        with self._lock:
+            self._words = words
+            for program in self._programs:
+                self._run(program)
+        self._listeners.call()
+
+    def stop(self) -> None:
+        """Take the nodes off the stage, for a program to take their place; the base stays. A saved file waits."""
+        with self._lock:
+            self._words = None
+            for program in self._programs:
+                if program.node in stage.current().nodes:
+                    stage.current().remove(program.node)
+                program.node, program.status = None, Status(f'{program.name} does not run on the stage.')
+        self._listeners.call()
+
+    def _work_in(self, root: Path) -> None:
+        """Run what is in a folder, and let the chapter's commands find the package there."""
+        self.root = root
+        """The folder of the package that the stage runs: the reader's, or a copy of ours."""
+        if self._is_followed:
+            os.environ[PACKAGE_IN_WORK] = str(root)
 
     def _has_passed(self) -> bool:
         """True if the reader's package has passed the step, or is ours from after it."""
@@ -192,7 +227,8 @@ class FollowedPackage:
             for program in self._programs:
                 text = self.files.text(program.name)
                 if text != program.seen or name == program.name:
-                    program.seen, changed, self.root = text, True, self.files.root
+                    program.seen, changed = text, True
+                    self._work_in(self.files.root)
                     self._run(program)
                 changed = self._note_failure(program) or changed
         if changed:
@@ -211,23 +247,27 @@ class FollowedPackage:
         if not path.exists():
             program.status = Status(f'There is no {program.name} yet.')
             return
+        if self._words is None:
+            return
         try:
             node_class = load_node_class(path, self.root)
-            node = self._add(node_class, path)
+            node = self._add(node_class, path, self._words)
         except LoadError as error:
             if before is None or program.node in stage.current().nodes:
                 unchanged = ' Nothing has changed on the stage.' if before else ''
                 program.status = Status(f'{error}{unchanged}', bool(before or error.line), error.line)
                 return
-            node_class, node = before, self._add(before, path)
+            self._words = program.words
+            node_class, node = before, self._add(before, path, self._words)
             program.status = Status(f'{error} The version before runs again.', True, error.line)
         else:
-            again = ' It begins with the defaults: what was set before is lost.' if before else ''
+            begins = f'as `{" ".join(self._words)}` says' if self._words else 'with the defaults'
+            again = f' It begins {begins}: what was set before is lost.' if before else ''
             program.status = Status(f'{program.name} runs as {node.get_fully_qualified_name()}.{again}')
-        program.node_class, program.node = node_class, node
+        program.node_class, program.node, program.words = node_class, node, self._words
 
-    def _add(self, node_class: type[Node], path: Path) -> Node:
-        return within_limit(lambda: stage.current().add(node_class), path)
+    def _add(self, node_class: type[Node], path: Path, words: tuple[str, ...]) -> Node:
+        return within_limit(lambda: stage.current().add(node_class, ros_args=words), path)
 
     def _note_failure(self, program: _Program) -> bool:
         """Show what a callback of a node has raised last; return whether that is new."""
