@@ -62,7 +62,7 @@ def provided_packages_installed() -> Iterator[None]:
     sources = {name: _source_folder(name, nodes) for name, nodes in provided().items()}
     if in_work := package_in_work():
         sources[in_work.name] = in_work
-    spaces = [os.environ.get(_SEARCH_PATH, ''), *(_stand_in(name, source) for name, source in sources.items() if source)]
+    spaces = [os.environ.get(_SEARCH_PATH, ''), *(_stand_in(name, each) for name, each in sources.items() if each)]
     with _searching(os.pathsep.join(filter(None, spaces))):
         yield
 

@@ -29,7 +29,7 @@ def provided_packages() -> dict[str, str]:
 
 
 def package_in_work(environment: Mapping[str, str] = os.environ) -> Path | None:
-    """Return the folder of the package that a notebook follows, which its commands use as it lies there, without a build.
+    """Return the folder of the package that a notebook follows, which its commands use without a build.
 
     :param environment: Names the folder in PARAM_TOOLS_PACKAGE_IN_WORK; None is returned if it names none.
     """
