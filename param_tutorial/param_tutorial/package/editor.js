@@ -81,8 +81,9 @@ function render({model, el}) {
   area.setAttribute('aria-label', model.get('name'));
   area.setAttribute('aria-describedby', hint);
   for (const each of ['autocapitalize', 'autocomplete', 'autocorrect']) area.setAttribute(each, 'off');
-  const colors = make('pre', {className: 'file-colors', ariaHidden: 'true'});
-  const numbers = make('pre', {className: 'file-numbers', ariaHidden: 'true'});
+  // No <pre>: the site makes each one that scrolls a stop of the Tab key.
+  const colors = make('div', {className: 'file-colors', ariaHidden: 'true'});
+  const numbers = make('div', {className: 'file-numbers', ariaHidden: 'true'});
   const save = make('button', {type: 'button', className: 'file-save'}, 'Save');
   const status = make('p', {className: 'file-status'});
   status.setAttribute('role', 'status');
