@@ -160,6 +160,15 @@ def test_each_step_changes_something():
         assert ours(before) != ours(after), after
 
 
+def test_a_file_that_is_no_node_can_be_what_a_step_is_about(package):
+    package.take_ours('5.3b')
+    package.need('5.3b')
+    assert package.root == package.files.root
+    package.files.write('setup.py', '', package.files.text('setup.py'))
+    package.need('5.3b')
+    assert package.root != package.files.root
+
+
 def test_a_start_takes_arguments_and_keeps_them(package):
     package.start('-p', 'max_speed_mps:=0.75')
     assert speed(package) == 0.75
@@ -176,7 +185,7 @@ def test_a_program_takes_the_place_of_the_node_that_was_stopped(package):
     package.save('driver_node.py', SLOW)
     assert [each.get_name() for each in stage.current().nodes] == ['base']
     program = Terminal('ros2 run my_robot driver_node')
-    assert param_tutorial.ParameterClient('/driver').get_parameter('max_speed_mps') == 0.25
+    assert param_tutorial.ParameterClient('/driver', timeout_sec=30).get_parameter('max_speed_mps') == 0.25
     assert program.interrupt() == 0
     package.start()
     assert speed(package) == 0.25
@@ -188,5 +197,5 @@ def test_a_launch_finds_the_files_of_the_package_without_a_build(package):
     package.files.write('config/slow.yaml', '/driver:\n  ros__parameters:\n    max_speed_mps: 0.125\n', '')
     package.save('driver_node.py', DRIVER)
     program = Terminal('ros2 launch my_robot start_launch.py')
-    assert param_tutorial.ParameterClient('/driver').get_parameter('max_speed_mps') == 0.125
+    assert param_tutorial.ParameterClient('/driver', timeout_sec=30).get_parameter('max_speed_mps') == 0.125
     assert program.interrupt() == 0

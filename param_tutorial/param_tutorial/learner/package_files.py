@@ -58,12 +58,14 @@ def ours(step: str) -> dict[str, str]:
     """
     if step not in steps():
         raise PackageError(f'There is no step {step!r}{nearest(step, steps(), "There are none")}')
-    files = {}
-    for each in steps()[:steps().index(step) + 1]:
-        for path in sorted((STEPS / each).rglob('*')):
-            if path.is_file() and '__pycache__' not in path.parts:
-                files[path.relative_to(STEPS / each).as_posix()] = path.read_text(encoding='utf-8')
-    return files
+    return {name: (STEPS / each / name).read_text(encoding='utf-8')
+            for each in steps()[:steps().index(step) + 1] for name in changed_in(each)}
+
+
+def changed_in(step: str) -> list[str]:
+    """Return the paths of the files that a step changes."""
+    return [path.relative_to(STEPS / step).as_posix() for path in sorted((STEPS / step).rglob('*'))
+            if path.is_file() and '__pycache__' not in path.parts]
 
 
 @cache

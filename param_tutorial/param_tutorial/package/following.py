@@ -15,7 +15,15 @@ from param_tools.ros.environment import PACKAGE_IN_WORK
 from param_tools.ros.executor import Failure
 from param_tools.ros.listeners import Listeners
 from param_tools.ros.schedule import Job
-from param_tutorial.learner.package_files import PackageFiles, last_step_before, our_copy, ours, passed, steps
+from param_tutorial.learner.package_files import (
+    PackageFiles,
+    changed_in,
+    last_step_before,
+    our_copy,
+    ours,
+    passed,
+    steps,
+)
 from param_tutorial.learner.progress import own_progress
 from param_tutorial.nodes.base_node import BaseNode
 from param_tutorial.package.loading import LoadError, describe, load_node_class, within_limit
@@ -161,9 +169,10 @@ class FollowedPackage:
         progress = own_progress()
         solved = passed | set(progress.read()[0].solved if progress else ())
         later = steps()[steps().index(self._step):]
+        # A step may be about a file that is no node, such as a launch file.
+        places = {*(self.files.place(each.name) for each in self._programs), *changed_in(self._step)}
         return self._step in solved or (bool(self._programs) and any(
-            all(self.files.text(each.name) == ours(step).get(self.files.place(each.name), '')
-                for each in self._programs) for step in later))
+            all(self.files.text(each) == ours(step).get(each, '') for each in places) for step in later))
 
     def take_ours(self, step: str = '') -> None:
         """Put ours in the place of the reader's files, which are kept in ``ros2_ws/backups/``, and run it.
