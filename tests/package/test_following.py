@@ -180,6 +180,13 @@ def test_a_start_takes_arguments_and_keeps_them(package):
     assert speed(package) == 0.75
 
 
+def test_a_start_in_a_namespace_leaves_no_node_outside_of_it(package):
+    package.start('-r', '__ns:=/left')
+    assert [each.get_fully_qualified_name() for each in stage.current().nodes] == ['/base', '/left/driver']
+    package.start()
+    assert [each.get_fully_qualified_name() for each in stage.current().nodes] == ['/base', '/driver']
+
+
 def test_a_program_takes_the_place_of_the_node_that_was_stopped(package):
     package.stop()
     package.save('driver_node.py', SLOW)

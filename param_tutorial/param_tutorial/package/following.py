@@ -273,6 +273,8 @@ class FollowedPackage:
             begins = f'as `{" ".join(self._words)}` says' if self._words else 'with the defaults'
             again = f' It begins {begins}: what was set before is lost.' if before else ''
             program.status = Status(f'{program.name} runs as {node.get_fully_qualified_name()}.{again}')
+        if program.node is not node and program.node in stage.current().nodes:  # it has another namespace now
+            stage.current().remove(program.node)
         program.node_class, program.node, program.words = node_class, node, self._words
 
     def _add(self, node_class: type[Node], path: Path, words: tuple[str, ...]) -> Node:
