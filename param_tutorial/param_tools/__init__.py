@@ -40,7 +40,6 @@ with lazy.Imports(__name__) as _imports:
     from param_tools.files import parameter_files as parameter_files
     from param_tools.files.checking import check_files as check_files
     from param_tools.node.client import ParameterClient as ParameterClient
-    from param_tools.node.declarations import check_declarations as check_declarations
     from param_tools.node.locks import locks as locks
     from param_tools.node.rules import Rules as Rules
     from param_tools.panel.panel import ParameterPanel as ParameterPanel

@@ -9,7 +9,6 @@
     ├── InvalidValueError           this Python value cannot be a ROS parameter     (also ValueError)
     ├── ParameterFileError          a YAML file cannot be read or written faithfully (also ValueError)
     ├── RuleError                   a rule for parameters makes no sense, or cannot be judged (also ValueError)
-    ├── DeclarationError            a node declares parameters in a way that contradicts itself (also ValueError)
     └── NodeError                   about one node; carries ``.node``
         ├── NodeNotFoundError       there is no node of that name                   (also LookupError)
         ├── NoServiceError          the node is there, without this parameter service
@@ -67,10 +66,6 @@ class ParameterFileError(ParameterToolError, ValueError):
 
 class RuleError(ParameterToolError, ValueError):
     """A rule makes no sense for its parameters, or raised an exception instead of saying yes or no."""
-
-
-class DeclarationError(ParameterToolError, ValueError):
-    """A node declares parameters with descriptors that rclpy ignores in part; the message says which."""
 
 
 class NodeError(ParameterToolError):

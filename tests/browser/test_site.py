@@ -395,7 +395,7 @@ def test_predictions_fold_what_answers_them_and_are_kept_and_marked(page, made):
     expect(typed.get_by_role('status')).to_contain_text('Please answer with a number')
     number.fill('7 values')
     number.press('Enter')
-    expect(typed.get_by_role('status')).to_contain_text('Not so. It accepts five')
+    expect(typed.get_by_role('status')).to_contain_text('Not so. It accepts two')
     expect(answer).to_be_visible()
     expect(look).to_have_count(0)
     page.reload()

@@ -2,16 +2,17 @@
 
 from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
-SOLVED = 'Your ranges hold, and each parameter has a descriptor of its own.'
+SOLVED = 'Your driver says what it enforces, and each parameter has a descriptor of its own.'
 
 RECALLS = (
-    Recall('6.1-r1', 'The description of a parameter says *Must be positive*, and the descriptor says nothing else. '
-           'Someone sets it to -5. What does the node do?', (
-        right('It accepts the value', 'A description is for people. Nothing enforces it.'),
-        wrong('It rejects the value', 'A description is for people, and rclpy does not read it. A range enforces a '
-              'limit, or a callback does.'),
-        wrong('It accepts and warns', 'rclpy does not read a description, so it has nothing to warn about.')),
-           chapter='3', section='Limits'),
+    Recall('6.1-r1', 'A node declares its parameters, and registers its judge after that. It is started with an '
+           'override that breaks the rule. Who rejects the override?', (
+        wrong('The judge, when it is registered', 'rclpy asks it about requests that come later. The override was '
+              'stored when the parameter was declared.'),
+        wrong('The judge, at the declaration', 'It was not registered yet. rclpy asks only those that are.'),
+        right('Nobody, unless the node checks', 'The override was stored when the parameter was declared. So your '
+              'constructor asks its own judge about the start values.')),
+           chapter='5.2', section='Who judges the start?'),
     Recall('6.1-r2', 'One atomic request sets four parameters, and the node rejects one of the values. What happens to '
            'the other three?', (
         wrong('They get their new values', 'That is what `set_parameters` does. An atomic request succeeds as a whole '
@@ -30,36 +31,32 @@ PREDICTIONS = (
         wrong('It accepts both of the values', 'A step is not for sliders only: the node enforces it. 45 is rejected '
               'as *not a valid step*.'),
         wrong('It rounds both to a valid step', 'A node never rounds. It rejects 45, and stores 85 as it is.'))),
-    Prediction('6.1-2', 'The range is -20 to 52 in steps of 5. How many of the eight values -21, -20, -15, 0, 12, 50, '
-               '52 and 53 does the node accept?', (
-        right('5', '-20, -15, 0, 50 and 52: both ends are valid, and the steps count from -20.'),
-        wrong('4', 'There is one more. Both ends are valid, 52 too, though no step leads there.'),
-        wrong('3', 'There are two more. Both ends are valid: -20, and 52 as well.'),
-        wrong('6', 'One fewer: 12 lies between the ends, but -20 plus any number of fives is never 12.'),
-        wrong('8', 'A range is enforced: -21 and 53 are outside, and 12 is off the step.')),
-        otherwise='It accepts five: -20, -15, 0, 50 and 52. Both ends are valid, and the steps count from -20.'),
-    Prediction('6.1-3', 'The acceleration may go up to 2.0. How does the node answer 2.000001 and 2.0001?', (
-        wrong('It rejects both of them', 'The comparison of doubles has a tolerance, and 2.000001 is within it.'),
-        wrong('It stores 2.0 both times', 'A node never moves a value to the limit. It accepts 2.000001 as it is, and '
-              'rejects 2.0001.'),
-        right('It accepts only 2.000001', 'Doubles are compared with a tolerance of one part in a million, and 2.0001 '
-              'is beyond it.'))),
-    Prediction('6.1-4', 'The range goes from 0.0 to 1.0 in steps of 0.1. How does the node answer `3 * 0.1`, which is '
-               '0.30000000000000004 in Python?', (
-        right('It stores the value as it is', 'Your first thought holds. A tiny error of rounding is within the '
-              'tolerance, so you can calculate a value.'),
-        wrong('It says it is not a valid step', 'It is not exactly 0.3, and the tolerance is there for such cases: one '
-              'part in a million.'),
-        wrong('It stores 0.3 in its place', 'The node accepts the value as it is, with all its digits. It never moves '
-              'a value.'))),
-    Prediction('6.1-5', 'The range goes from -0.3 to 0.3 in steps of 0.1, and the default is 0.0. What happens when '
+    Prediction('6.1-2', 'The range of `max_speed_mps` is 0.0 to 2.0, without a step. How many of 2.0, 2.000001, '
+               '2.0001, -1e-300 and `nan` does the driver accept?', (
+        right('2', '2.0 and 2.000001. Doubles are compared with a tolerance of one part in a million, and at 0.0 that '
+              'leaves no room.'),
+        wrong('1', 'There is one more: 2.000001 differs from the end by no more than one part in a million.'),
+        wrong('3', 'One fewer. 2.0 and 2.000001 are accepted: the tolerance is one part in a million, at 0.0 it leaves '
+              'no room, and `nan` is in no range.'),
+        wrong('4', 'Two fewer: 2.0001 is beyond the tolerance of one part in a million, and at 0.0 that leaves no '
+              'room.'),
+        wrong('5', 'Only two: 2.0 and 2.000001. The tolerance is one part in a million, and `nan` is in no range.')),
+        otherwise='It accepts two: 2.0, and 2.000001, which is within the tolerance of one part in a million.'),
+    Prediction('6.1-3', 'The steps of `braking_mps2` lead to 0.30000000000000004. The driver holds 1.0, and someone '
+               'sets 0.3. What does it hold then?', (
+        right('0.3', 'A tiny error of rounding is within the tolerance, and the node stores what was sent.'),
+        wrong('0.30000000000000004', 'The value is close enough to that step to be accepted. Then the node stores what '
+              'was sent, 0.3.'),
+        wrong('1.0', 'It does not reject 0.3: the tolerance is there for such cases, one part in a million.')),
+        otherwise='It holds 0.3: close enough to a step to be accepted, and stored as it was sent.'),
+    Prediction('6.1-4', 'The range goes from -0.3 to 0.3 in steps of 0.1, and the default is 0.0. What happens when '
                'the node starts?', (
         wrong('It starts with 0.0', 'Three steps up lead to 5.551115123125783e-17. That is not 0.0, and at 0.0 the '
               'tolerance leaves no room.'),
         right('The declaration fails', 'Doubles miss 0.0 by 5.551115123125783e-17, and at 0.0 the tolerance leaves no '
               'room.'),
         wrong('It starts with -0.3', 'A node never moves a value. It rejects the default, and does not start.'))),
-    Prediction('6.1-6', '`gain` has the default `1` and a range of doubles up to 1.0. `reach_m` has the default `0.5` '
+    Prediction('6.1-5', '`gain` has the default `1` and a range of doubles up to 1.0. `reach_m` has the default `0.5` '
                'and a range of integers up to 10. `speeds` is a list of integers, with a range of integers up to 10. '
                'We set them to 900, 900.0 and [5, 900]. How many of the three does the node reject?', (
         right('0', 'rclpy ignores a range of the wrong kind, and any range on an array. Nothing warns you.'),
@@ -69,9 +66,9 @@ PREDICTIONS = (
         wrong('1', 'None. rclpy ignores a range on an array; it does not compare the elements. And it ignores a range '
               'of the wrong kind.')),
         otherwise='None. rclpy ignores a range of the wrong kind, and any range on an array. Nothing warns you.'),
-    Prediction('6.1-7', 'Both parameters share one descriptor, without a range or a lock. How does the node answer if '
-               'you set `wheel_count`, 4, to 6?', (
-        wrong('It accepts 6 for wheel_count alone', 'The second declaration has written *string* into the shared '
+    Prediction('6.1-6', '`joint_count`, 4, and `maker`, Acme, share one descriptor, which has no range. How does the '
+               'node answer if you set `joint_count` to 6?', (
+        wrong('It accepts 6 for joint_count alone', 'The second declaration has written *string* into the shared '
               'descriptor, so 6 has the wrong type now.'),
         wrong('It accepts 6 for both parameters', "The two parameters don't share a value. They share the descriptor, "
               'and with it the type.'),

@@ -10,7 +10,7 @@ RECALLS = (
         wrong('It says it is out of range', 'A range only counts for values of its own kind, and `1` is an integer.'),
         wrong('It says the type is wrong', 'The default made it an integer, and 900 is one.'),
         right('It accepts the value 900', '`1` is an integer, and rclpy ignores a range of doubles for an integer.')),
-           chapter='6.1', section='Break it: a range that nobody looks at'),
+           chapter='6.1', section='A range that nobody enforces'),
     Recall('6.2-r2', 'A value has the wrong type. Does the node call its on-set callback?', (
         right('No, rclpy rejects it earlier', 'rclpy checks the type before it calls the on-set callbacks.'),
         wrong('Yes, with the value as it is', 'rclpy checks the type first. A check of it in the callback would never '

@@ -11,7 +11,7 @@ RECALLS = (
               '`floating_point_range`.'),
         wrong('It has never started', 'rclpy does not compare the kind of a range with the type. It ignores this range '
               'without a word.')),
-           chapter='6.1', section='Break it: a range that nobody looks at'),
+           chapter='6.1', section='A range that nobody enforces'),
     Recall('7.1-r2', 'The parameter `label` is a string. What do you type after `ros2 param set /gripper label` to set '
            'it to the string 42?', (
         wrong('42', 'YAML reads a number, and the node rejects it.'),
