@@ -31,7 +31,8 @@ WRONG = {
         # One descriptor for two.
         ([(_FIRST, f'        shared = {_OWN}\n{_FIRST}'),
           (f"'braking_mps2', 1.0, {_OWN}", "'braking_mps2', 1.0, shared"),
-          ("'stop_distance_m', 0.5, ", "'stop_distance_m', 0.5, shared or ")], 2, 'a later declaration has overwritten'),
+          ("'stop_distance_m', 0.5, ", "'stop_distance_m', 0.5, shared or ")], 2,
+         'a later declaration has overwritten it'),
         ([('        start = self.judge', '        start = SetParametersResult(successful=True) or self.judge')], 3,
          'it started, with too little room'),
         ([('self.add_post_set_parameters_callback(self.act)', 'pass')], 3, 'it logs no such line'),
