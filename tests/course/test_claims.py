@@ -3,6 +3,7 @@
 A comment above each test names the claims that it decides.
 """
 
+import re
 import textwrap
 
 import pytest
@@ -64,7 +65,8 @@ def test_any_name_but_the_empty_one_can_be_declared(ros):
         ros.run(lambda: node.declare_parameter('', 1), 'declare')
 
 
-# A045, A050, A051, A052, A053, A054, A055, A056, A075: the article's robot compares types, with two kinds of numbers.
+# A030, A045, A050, A051, A052, A053, A054, A055, A056, A075, A090, A091, A092, A094, A095, A098: the article's robot
+# compares types, with two kinds of numbers.
 def test_two_of_four_values_get_into_the_articles_robot(ros):
     asked, types = [], {
         'max_speed_rpm': ParameterType.PARAMETER_INTEGER, 'max_acceleration_mps2': ParameterType.PARAMETER_DOUBLE}
@@ -75,7 +77,7 @@ def test_two_of_four_values_get_into_the_articles_robot(ros):
             each.type_ == types[each.name] for each in parameters if each.name in types))
 
     article = ros.add(SimpleParamNode)
-    assert 'max_speed_rpm: 100' in ros.node_log.read(until='max_acceleration_mps2: 0.5')
+    assert len(re.findall(r'\w+: [-\w.]+$', ros.node_log.read(until='robot_serial_number: '), re.MULTILINE)) == 7
     article.add_on_set_parameters_callback(judge)
     ros.run(lambda: article.declare_parameter('later', 1), 'declare')
     assert asked == ['later']
@@ -84,6 +86,12 @@ def test_two_of_four_values_get_into_the_articles_robot(ros):
     proposal = {each.name: each.value for each in ParamSetterNode.proposal(1)}
     for values, taken in ((typed, [False, True, False, True]), (proposal, [True, True, False, False])):
         assert [each.successful for each in ParameterClient(article).set_parameters(values)] == taken
+    asked.clear()
+    del types['max_acceleration_mps2']  # the last one judges the speed alone
+    assert [ParameterClient(article).set_parameter(name, value).kind for name, value in (
+        ('max_acceleration_mps2', 1.5), ('max_acceleration_mps2', 5.0), ('robot_serial_number', 'SN-CLAW-002'),
+        ('max_speed_rpm', 180))] == ['accepted', 'out of range', 'read only', 'rejected by the node']
+    assert asked == ['max_acceleration_mps2', 'max_speed_rpm']
 
 
 # A009, A066

@@ -108,13 +108,13 @@ def test_the_look_of_an_option_wins_at_most_ten_points_more_than_chance(look):
 
 
 def test_a_prediction_is_asked_for_in_the_words_of_the_check():
-    for number in ('5.4b', '6.2a', '7.1c', '7.2c', '7.3b'):
+    for number in ('5.4b', '6.2c', '7.1c', '7.2c', '7.3b'):
         assert [f'`{question}`' for question in blank(number)] == [
             requirement.sentence for requirement in EXERCISES[number].requirements]
 
 
 def test_the_oven_in_the_chapter_is_the_one_that_the_check_asks():
-    shown = [each.source for each in notebook('6.2a') if each.source.startswith('class Oven')]
+    shown = [each.source for each in notebook('6.2c') if each.source.startswith('class Oven')]
     assert [without_annotations(each) for each in shown] == [without_annotations(inspect.getsource(ch06_2.Oven))]
 
 

@@ -1,8 +1,8 @@
-"""Predictions of chapter 6.2: locks, types that may change, arrays, and the order of the checks."""
+"""Predictions of chapter 6.2: read-only, types that may change, arrays, and the order of the checks."""
 
 from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
-SOLVED = 'Nobody gets 110 °C past you anymore, and you know which check to blame.'
+SOLVED = 'Your driver has a fixed rate, and you can say which check rejected a request.'
 
 RECALLS = (
     Recall('6.2-r1', 'A parameter has the default `1` and a range of doubles, 0.0 to 1.0. You set it to 900. How does '
@@ -21,44 +21,51 @@ RECALLS = (
 )
 
 PREDICTIONS = (
-    Prediction('6.2-1', '`serial_number` is read-only, and its default is GR-0042. This gripper starts with '
-               '`-p serial_number:=GR-0043`. What is its serial number?', (
-        wrong('GR-0042, the default', 'The lock begins with the declaration. The override takes the place of the '
-              'default before that.'),
-        right('GR-0043, the override', 'The override takes the place of the default, and only then is the parameter '
-              'locked.'),
-        wrong('none, it does not start', 'An override of a read-only parameter is allowed; it is how each gripper gets '
-              'its own number.'))),
-    Prediction('6.2-2', 'The default of `waypoints` is the empty list `[]`. Which type does rclpy choose?', (
-        right('an array of bytes', 'It is the first array type that an empty list fits, and no string or number will '
-              'ever go in.'),
+    Prediction('6.2-1', 'The metronome started with a `rate_hz` of 10, and its constructor made the timer. Now someone '
+               'sets `rate_hz` to 50. How many times a second does it tick?', (
+        right('10', 'The timer has the period that the constructor gave it, and nothing makes another.'),
+        wrong('50', 'The parameter is 50. The timer has the period that the constructor gave it, 0.1 s.'),
+        wrong('0', 'The timer that the constructor made goes on, ten times a second.')),
+        otherwise='It ticks 10 times a second: the timer has the period that the constructor gave it.'),
+    Prediction('6.2-2', '`rate_hz` is read-only and 10. Someone sets 20, and then 10. What does the driver do?', (
+        wrong('It accepts both values', 'Read-only holds for each value, also for the one that is there.'),
+        right('It rejects both values', 'rclpy does not compare the new value with the old one.'),
+        wrong('It rejects the 20 alone', 'rclpy does not compare: it rejects the 10 for the same reason.'))),
+    Prediction('6.2-3', '`rate_hz` is read-only, and its default is 10. The driver starts with `-p rate_hz:=20`. What '
+               'is `rate_hz`?', (
+        right('20', 'The override takes the place of the default, and only then is the value fixed.'),
+        wrong('10', 'Read-only begins with the declaration, and the override takes the place of the default in it.')),
+        otherwise='It is 20: the override takes the place of the default, and only then is the value fixed.'),
+    Prediction('6.2-4', 'The metronome declared `rate_hz` with the default 10, and `note` with `dynamic_typing`. '
+               'Someone deletes both. Which of the two does the node still have?', (
+        wrong('both of them', 'The type of `note` may be anything, also `NOT_SET`, so it can be deleted.'),
+        wrong('only the note', '`note` can be deleted, because its type may be `NOT_SET`. That of `rate_hz` may not.'),
+        wrong('neither one', '`rate_hz` is an integer for good, so nobody deletes it from outside.'),
+        right('only rate_hz', 'Its type is fixed, and `NOT_SET` is another type. `note` may have any.'))),
+    Prediction('6.2-5', 'The default of `waypoints` is the empty list `[]`. Which type does rclpy choose?', (
         wrong('an array of strings', 'Nothing in an empty list says *string*. rclpy takes the first array type that '
-              'fits, which is the byte array.'),
-        wrong('none for the moment', 'Each parameter has a type, unless it is dynamically typed. This one is a byte '
-              'array.'),
-        wrong('none, it fails', 'The node starts without a word. It has a byte array, and that shows only when someone '
-              'sets it.'))),
-    Prediction('6.2-3', 'The constructor sets `waypoints` to an empty list, after its declaration. This node starts '
-               'with `-p waypoints:="[dock, door]"`. What does `waypoints` hold?', (
-        wrong('dock and door', 'They were there after the declaration, and the next line replaced them.'),
-        right('an empty list', 'The override arrives with the declaration, and the next line replaces it.'),
-        wrong('no value at all', 'Both are lists of strings, so no check rejects either, and the later one stays.'))),
-    Prediction('6.2-4', '`PatientTour` sets the empty list only if the declaration brought no value. It starts with '
-               '`-p waypoints:="[dock, door]"`. What does `waypoints` hold?', (
-        right('dock and door', 'The code does what it seems to do: there was a value already, so the node left it '
-              'alone.'),
-        wrong('an empty list', '`EmptyTour` replaced the override in any case. This node looks first.'),
-        wrong('no value at all', 'The override arrives with the declaration, so the parameter has a value at once.'))),
-    Prediction('6.2-5', '`serial` is read-only, an integer from 0 to 100 in steps of 10. You set it to 905. Which of '
-               'the three reasons does the node give?', (
-        wrong('the end of the range', 'It is, and rclpy would have said so, but it checks the lock before the range.'),
-        right('the read-only lock', 'The lock is checked before the range, and only the first failure is named.'),
-        wrong('the step of the range', 'The step is checked last, and only the first failure is named.'),
-        wrong('all of the three', 'rclpy stops at the first check that fails.'))),
-    Prediction('6.2-6', 'Four commands: an acceleration of 1.5, an acceleration of 5.0, a new serial number, and a '
-               'speed of 180. How many of them reach the callback with the branches?', (
-        right('2', '1.5 and 180. The range and the lock reject the other two before any callback is called.'),
-        wrong('3', 'Two. The lock rejects the serial number before any callback is called, and the range rejects 5.0.'),
-        wrong('4', 'Two. The callback comes last, and rclpy rejects 5.0 and the serial number before it.')),
-        otherwise='Two reach it: 1.5 and 180. The range and the lock reject the others before any callback is called.'),
+              'fits, which is that of bytes.'),
+        wrong('no type for now', 'Each declared parameter gets a type from its default. This one is a byte array.'),
+        right('an array of bytes', 'It is the first array type that an empty list fits.'),
+        wrong('an array of doubles', 'Nothing in an empty list says *double*. rclpy takes the first array type that '
+              'fits, which is that of bytes.'))),
+    Prediction('6.2-6', '`offsets_m` and `waypoints` have a value, and `stops` is not set. How many of the three are '
+               'in the dump?', (
+        right('0', 'One parameter without a value, and the node answers nothing at all.'),
+        wrong('2', 'The node has two values, and does not tell them: one parameter without a value empties the '
+              'answer.'),
+        wrong('3', 'One parameter without a value empties the whole answer.')),
+        otherwise='None of them: one parameter without a value empties the whole answer.'),
+    Prediction('6.2-7', 'The cell above has eight requests. For how many of them does rclpy call the on-set callback '
+               '`watch`?', (
+        right('2', 'The last two pass all checks of rclpy. Your own rule rejects one of them.'),
+        wrong('1', 'Two: 2.0 m/s passes the checks of rclpy as well, and is rejected by your own rule.'),
+        wrong('8', 'Two: rclpy rejects the first six before it calls any callback.')),
+        otherwise='For two, the last ones: rclpy rejects the first six before it calls any callback.'),
+    Prediction('6.2-8', '`rate_hz` is read-only, and its range ends at 50. Someone sets 905. Which reason does the '
+               'driver give?', (
+        wrong('that it is too large', 'It is, and rclpy would say so, but it looks at read-only before the range.'),
+        right('that it is read-only', 'rclpy looks at read-only before the range, and stops at the first check that '
+              'fails.'),
+        wrong('that both are wrong', 'rclpy stops at the first check that fails, and that is read-only.'))),
 )

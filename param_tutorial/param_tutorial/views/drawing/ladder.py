@@ -142,7 +142,7 @@ def _rungs(name: str, steps: Sequence[Step], objection: str) -> Iterator[_Rung]:
         if objection and index == last:
             yield _Rung(title, _calls(here) if here else objection, stored, value, 'rejected')
             continue
-        words = {'asked': f'set {name} to {svg.cut(asked, 24)}', 'checks': 'declared, not locked, type, range, step',
+        words = {'asked': f'set {name} to {svg.cut(asked, 24)}', 'checks': 'declared, not read-only, type, range, step',
                  'stored': f'{svg.cut(value, 24)} is written', 'event': 'a message tells everybody',
                  'answer': 'successful'}.get(what) or _calls(here)
         yield _Rung(title, words, stored, value, 'passed' if here or index == _CHECKS else 'idle')
