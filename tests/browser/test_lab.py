@@ -20,7 +20,7 @@ NODE = '/simple_param_node'
 def opened_lesson(tmp_path, browser):
     """Return a server and a page with a lesson; afterwards the browser must not have complained."""
     cells = (*lesson.LESSON[:2], 'from param_tutorial import ParameterPanel, views\n'
-             f'views.SideBySide(views.LogView(), ParameterPanel({NODE!r}))')
+             f'views.SideBySide(views.EventView(), ParameterPanel({NODE!r}))')
     with Lab(tmp_path / 'lab', [lesson.write(tmp_path / 'lesson.ipynb', cells)]) as lab:
         page = LabPage(lab, browser, 'lesson.ipynb')
         yield lab, page

@@ -23,7 +23,7 @@ LOOK = '''() => [...document.querySelectorAll('svg:has(text)')].map(drawing => {
 @pytest.mark.parametrize('width', [320, 440, 728, 1280])
 def test_no_letter_is_smaller_than_11_px_or_cut_off(browser, width):
     page = browser.new_page(viewport={'width': width, 'height': 900}, reduced_motion='reduce')
-    pictures = [EXAMPLES[name] for name in (*DIAGRAMS, 'robot_drives', 'cart')]
+    pictures = [EXAMPLES[name] for name in (*DIAGRAMS, 'cart_drives', 'cart')]
     page.set_content(f'{svg.STYLE}{driving.STYLE}<div>{"</div><div>".join(pictures)}</div>')
     looks = page.evaluate(LOOK)
     assert len(looks) > 10

@@ -12,7 +12,7 @@ LESSON = (
     'Its parameters, as controls:',
     "panel = param_tutorial.ParameterPanel('/simple_param_node')\npanel",
     'What it says:',
-    'param_tutorial.views.LogView()',
+    'param_tutorial.views.EventView()',
 )
 
 

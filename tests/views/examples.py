@@ -2,7 +2,6 @@
 
 import math
 
-from param_tutorial.nodes.clawbot_node import Motion, Settings, State, plan
 from param_tutorial.views.cart import cart_on_trip
 from param_tutorial.views.drawing import driving, track
 from param_tutorial.views.drawing.calls import Call, Line, draw_calls
@@ -12,7 +11,6 @@ from param_tutorial.views.drawing.lifts import draw_lifts
 from param_tutorial.views.drawing.number_line import Attempt, Scale, draw_number_line
 from param_tutorial.views.drawing.plane import Way, draw_plane
 from param_tutorial.views.drawing.plots import Band, LinePlot
-from param_tutorial.views.drawing.robot import Robot
 from param_tutorial.views.drawing.timeline import Step
 
 # Names and values are text, whatever is in them.
@@ -73,30 +71,12 @@ DIAGRAMS = {
         None, "'x'", 'serial is read-only')),
     'plane': draw_plane(('low_c', 'high_c'), _PAIRS, _WAYS)}
 
-
-def _robot(settings: Settings, motion: Motion, **others) -> Robot:
-    facts = {'name': 'Clawbot', 'serial_number': 'SN-CLAW-001', 'wheel_m': 0.1, **others}
-    return Robot(settings=settings, motion=motion, **facts)
-
-
-_SETTINGS = Settings(1.05, 0.5)
-_CRASHED = Motion((), State('CRASHED', 4.0, crash_speed_mps=1.05))
-_STATES = [State('READY', 0.0), State('SPEEDING UP', 1.0, 0.5, 0.5), State('CRUISING', 1.0, 1.0),
-           State('SLOWING DOWN', 1.0, 1.0), State('BRAKING', 3.0, 1.0), State('EMERGENCY BRAKING', 3.5, 1.0),
-           State('WAITING', 0.0), State('STOPPED', 3.8), State('CRASHED', 4.0, crash_speed_mps=1.05)]
-_WAITING = Motion((), State('WAITING', 0.0))
-_PATIENT = _robot(Settings(1.0, 0.5), Motion((), State('STOPPED', 3.8)), waiting_for='it is cold')
 EXAMPLES = {
     **{name: diagram.html(name) for name, diagram in DIAGRAMS.items()},
-    'robot_drives': driving.replay(_robot(_SETTINGS, plan(0.0, 0.0, _SETTINGS))).removeprefix(driving.STYLE),
-    'robot_crashed': driving.still(_robot(Settings(1.0, 0.5, safety_on=False), _CRASHED, name=EVIL).at(0.0)),
-    'robot_in_the_cold': driving.still(_robot(
-        Settings(1.0, 0.5, sensor_offset_m=0.4, track_m=14.0), _WAITING, temperature_c=-12, wheel_m=0.12,
-        waiting_for='it is cold').at(0.0)),
-    'robot_sentences': ''.join(f'<p>{driving.Moment(_PATIENT, each).text}</p>' for each in _STATES),
     'plot': LinePlot({name: [(0, 0.0), (2, number)] for number, name in enumerate(('ramp', EVIL, 'p', 'i'), start=1)},
                      x='time & more in s', y=EVIL, marks={1: 'changed'})._repr_html_(),
     'plot_band': LinePlot({'reference': [(0, 10.0), (3, 10.0)], 'conditional_integration': [(0, 0.0), (1, 10.0)]},
                           x='s', y='rad/s', before=[(0, 0.0), (1, 5.0)], band=Band(0.4, 9.7, 10.3))._repr_html_(),
+    'cart_drives': driving.replay(cart_on_trip('/cart', 1.0, 0.5)).removeprefix(driving.STYLE),
     'cart': driving.still(cart_on_trip('/cart', 1.0, 0.5).at(math.inf)),
     'track': track.draw_track(track.Moment(f'/{EVIL}', 4.0, 2.0, 0.5, 1.0))}

@@ -1,4 +1,4 @@
-"""The robot and the cart: their pictures move as physics says, and their views as the nodes do."""
+"""The cart: its picture moves as physics says, and its view as the node does; views beside each other."""
 
 import math
 import re
@@ -9,22 +9,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rclpy.node import Node
 
-from param_tools.errors import NodeNotFoundError
-from param_tutorial import ParameterClient, ParameterPanel, wait_until
+from param_tutorial import ParameterClient, ParameterPanel
+from param_tutorial.nodes.base_node import BaseNode
 from param_tutorial.nodes.cart_node import CartNode
-from param_tutorial.nodes.clawbot_node import ClawbotNode, Settings, plan
-from param_tutorial.views import CartView, RobotView, SideBySide
+from param_tutorial.nodes.clawbot_node import Settings, plan
+from param_tutorial.views import CartView, SideBySide, TrackView
 from param_tutorial.views import cart as cart_module
+from param_tutorial.views.cart import cart_on_trip
 from param_tutorial.views.drawing import driving
-from param_tutorial.views.drawing.robot import Robot
-from tests.support.widgets import press
 from tests.views.conftest import shows
-
-FAST = Settings(1.0, 0.5)
-
-
-def robot_on(motion, settings=FAST):
-    return Robot(name='Clawbot', serial_number='SN-1', wheel_m=0.1, settings=settings, motion=motion)
 
 
 def bezier(curve, time):
@@ -43,80 +36,16 @@ def test_the_browser_moves_it_along_the_closed_form(acceleration, speed_rpm, vel
         assert bezier(driving._timing_function(phase), fraction) * way_m == pytest.approx(exact, abs=2e-5)
 
 
-def test_the_bar_before_the_robot_is_the_way_in_which_it_would_stop():
-    """At each speed; where the safety mode brakes, the bar ends at the stop line all the time."""
-    facts = robot_on(plan(0.0, 0.0, FAST))
-    for elapsed_sec in (0.0, 1.0, 3.0, 4.0, 5.0, 5.7):
-        moment = facts.at(elapsed_sec)
+def test_the_bar_before_the_cart_is_the_way_in_which_it_would_stop():
+    """At each speed; where it brakes for the end of the aisle, the bar ends there all the time."""
+    cart = cart_on_trip('/cart', 1.0, 0.5)
+    for elapsed_sec in (0.0, 1.0, 3.0, 9.0, 11.0, 11.9):
+        moment = cart.at(elapsed_sec)
         stretched = float(re.search(r'scaleX\(([\d.]+)\)', driving.still(moment))[1])
-        way_m = stretched * 100 / facts.units_per_m
+        way_m = stretched * 100 / cart.units_per_m
         assert way_m == pytest.approx(moment.state.velocity_mps ** 2 / (2 * 0.5), abs=1e-3)
         if moment.state.word == 'BRAKING':
-            assert moment.state.position_m + facts.stopping_m(moment.state) == pytest.approx(FAST.stop_m)
-
-
-# -- the view of the robot -----------------------------------------------------------------------------------
-
-@pytest.fixture
-def robot(ros):
-    return ros.add(ClawbotNode, real_time=False)
-
-
-def test_a_picture_for_each_motion_words_for_each_thing_it_begins_to_do_and_nothing_while_it_stands(robot):
-    view, pictures, scenes = RobotView(robot), [], []
-    view._front.observe(lambda change: pictures.append(change.new), 'picture')
-    view._front.observe(lambda change: scenes.append(change.new), 'scene')
-    view.drive()
-    shows(view, 'SPEEDING UP')
-    for seconds, word in ((2.5, 'CRUISING'), (1.5, 'BRAKING'), (math.inf, 'STOPPED')):
-        robot.react([])  # as when a parameter is set to what it is
-        assert view._job.call_now(5.0)
-        robot.step(seconds)
-        shows(view, word)
-    end_sec = pytest.approx(robot.motion[0].duration_sec, abs=1e-4)
-    assert [(at_sec, word) for at_sec, word, *_ in scenes] == [
-        (0.0, 'SPEEDING UP'), (2.5, 'CRUISING'), (4.0, 'BRAKING'), (end_sec, 'STOPPED')]
-    assert ['@keyframes' in each for each in pictures] == [True, False]
-    robot.step(1000.0)
-    robot.react([])
-    wait_until(lambda: view._job.is_idle, 'the view to rest')
-    assert len(scenes) == 4 and len(pictures) == 2
-
-
-def test_what_changes_on_the_way_is_sent_from_where_the_robot_is(robot):
-    view = RobotView(robot)
-    view.drive()
-    shows(view, 'SPEEDING UP')
-    take = view._front.take
-    robot.step(1.0)
-    ParameterClient(robot).set_parameter('max_acceleration_mps2', 1.5)
-    shows(view, '1.50 m/s²')
-    assert 'Speed 0.50 m/s, 3.75 m to the wall' in view.text
-    assert f'translateX({1000 * 1.05 / 5.15:.3f}px)' in view._front.picture
-    view.drive()
-    assert view._job.call_now(5.0)
-    assert (view._front.take, view._front.scene[:2]) == (take + 2, [0.0, 'SPEEDING UP'])
-
-
-def test_it_is_made_before_its_robot_and_follows_one_that_is_replaced_or_gone(ros):
-    view = RobotView('clawbot_node')
-    assert view.text == '/clawbot_node is not running. It comes back here when it does.'
-    robot = ros.add(ClawbotNode, real_time=False)
-    shows(view, 'READY. Clawbot stands at the start. Speed 0.00 m/s, 4.00 m to the wall, safety on.')
-    again = ros.add(ClawbotNode, real_time=False, ros_args=['-p', 'robot_name:=Second'])
-    shows(view, 'Second')
-    assert (robot._listeners, len(again._listeners)) == ([], 1)
-    ros.remove(again)
-    shows(view, '/clawbot_node is not running')
-    with pytest.raises(NodeNotFoundError):
-        view.drive()
-    press(view, 'drive')  # before the page knows that the robot is gone
-    assert view._front.scene == []
-    again = ros.add(ClawbotNode, real_time=False)
-    shows(view, 'READY')
-    view.close()
-    view.close()
-    assert again._listeners == [] and repr(view) == '<RobotView: /clawbot_node, closed>'
+            assert moment.state.position_m + cart.stopping_m(moment.state) == pytest.approx(cart.settings.stop_m)
 
 
 # -- the view of the cart ------------------------------------------------------------------------------------
@@ -168,10 +97,11 @@ def test_it_shows_a_cart_that_is_being_built_and_says_what_is_missing(ros):
 
 # -- beside a panel -------------------------------------------------------------------------------------------
 
-def test_closing_it_leaves_its_views_and_a_view_that_is_closed_leaves_it_before(robot):
-    view, panel = RobotView(robot), ParameterPanel(robot, names=['max_speed_rpm', 'enable_safety_mode'])
+def test_closing_it_leaves_its_views_and_a_view_that_is_closed_leaves_it_before(ros):
+    base = ros.add(BaseNode)
+    view, panel = TrackView(base), ParameterPanel(base)
     first, second = SideBySide(view, panel), SideBySide(view, panel)
-    assert repr(first) == '<SideBySide: RobotView of /clawbot_node and ParameterPanel of /clawbot_node>'
+    assert repr(first) == '<SideBySide: TrackView of /base and ParameterPanel of /base>'
     first.close()
     first.close()
     assert first.comm is None and first._box.children == () and view.comm is not None

@@ -4,12 +4,10 @@ import pytest
 
 from param_tools.panel import close_with_cell
 from param_tools.panel.panel import ParameterPanel
-from param_tutorial.nodes.clawbot_node import ClawbotNode
+from param_tutorial.nodes.base_node import BaseNode
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook.magics import terminal_hint
-from param_tutorial.views import SideBySide
-from param_tutorial.views.log import LogView
-from param_tutorial.views.robot import RobotView
+from param_tutorial.views import EventView, SideBySide, TrackView
 
 
 @pytest.fixture
@@ -23,7 +21,7 @@ def run(monkeypatch):
 
 def test_a_cell_that_runs_again_closes_what_it_made(ros, run):
     ros.add(SimpleParamNode)
-    first, second, third = ParameterPanel('/simple_param_node'), LogView(), terminal_hint()
+    first, second, third = ParameterPanel('/simple_param_node'), EventView(), terminal_hint()
     run[0] = ('cell 2', 'run 2')
     elsewhere = ParameterPanel('/simple_param_node')
     assert 'closed' not in repr(first)
@@ -35,18 +33,18 @@ def test_a_cell_that_runs_again_closes_what_it_made(ros, run):
 
 
 def test_what_another_cell_shows_stays_until_that_one_runs_again(ros, run):
-    ros.add(ClawbotNode, real_time=False)
+    ros.add(BaseNode)
 
     def run_cell(cell, number):
         run[0] = (cell, f'run {number}')
 
-    view, panel = RobotView('/clawbot_node'), ParameterPanel('/clawbot_node', names=['max_speed_rpm'])
+    view, panel = TrackView(), ParameterPanel('/base')
     run_cell('cell 2', 2)
     both = SideBySide(view, panel)
     run_cell('cell 3', 3)
     panel._repr_mimebundle_()
     run_cell('cell 1', 4)
-    new_view, _ = RobotView('/clawbot_node'), ParameterPanel('/clawbot_node', names=['max_speed_rpm'])
+    new_view, _ = TrackView(), ParameterPanel('/base')
     assert both._box.children == (view, panel) and view.comm and panel.comm
     # The panel is still in the third cell, and the robot nowhere else.
     run_cell('cell 2', 5)
@@ -56,8 +54,8 @@ def test_what_another_cell_shows_stays_until_that_one_runs_again(ros, run):
     panel._repr_mimebundle_()
     assert panel.comm
     run_cell('cell 2', 7)
-    LogView()
+    EventView()
     assert panel.comm and new_view.comm
     run_cell('cell 3', 8)
-    LogView()
+    EventView()
     assert panel.comm is None

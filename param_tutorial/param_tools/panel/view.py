@@ -1,6 +1,5 @@
 """What the live views have in common: they follow something until they are closed, and are closed with their cell."""
 
-import html
 import threading
 from collections.abc import Callable, Iterable
 from typing import Any
@@ -15,7 +14,6 @@ from param_tools.ros import stage
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.listeners import Listeners
 from param_tools.ros.schedule import Job
-from param_tools.ros.services import full_name
 
 
 def no_op() -> None:
@@ -181,33 +179,3 @@ class FollowingView(View):
             self._lose()
         else:
             self._stop_listening = self._subscribe(self._executor)
-
-
-class FeedView(FollowingView):
-    """What one node or all nodes report, as text under a title."""
-
-    def __init__(self, node: str | None, *, subject: str, css_class: str, content_class: str, style: str):
-        """:param node: Only what this one reports; None for all."""
-        self._node = None if node is None else full_name(node)
-        self._title = f'{subject} of {self._node or "all nodes"}'
-        self._content = widgets.HTML()
-        self._content.add_class(content_class)
-        heading = widgets.HTML(f'{style}<b>{html.escape(self._title)}</b>')
-        heading.add_class(f'{css_class}-title')
-        super().__init__([heading, self._content], css_class)
-        self._begin()
-
-    def __repr__(self) -> str:
-        return f'<{type(self).__name__}: {self._node or "all nodes"}>'
-
-    def _markup(self) -> str:
-        """Return all that there is to show, as HTML."""
-        raise NotImplementedError
-
-    def _show(self) -> None:
-        self._content.value = self._markup()
-
-    @property
-    def node(self) -> str:
-        """The fully qualified name of the node that it listens to, or 'all nodes'."""
-        return self._node or 'all nodes'

@@ -14,10 +14,8 @@ with lazy.Imports(__name__) as _imports:
     from param_tutorial.views.ladder import LadderView as LadderView
     from param_tutorial.views.layers import LayersView as LayersView
     from param_tutorial.views.lifts import LiftsView as LiftsView
-    from param_tutorial.views.log import LogView as LogView
     from param_tutorial.views.number_line import NumberLineView as NumberLineView
     from param_tutorial.views.plane import PlaneView as PlaneView
-    from param_tutorial.views.robot import RobotView as RobotView
     from param_tutorial.views.set_recorder import record_change as record_change
     from param_tutorial.views.side_by_side import SideBySide as SideBySide
     from param_tutorial.views.step_response import StepResponseView as StepResponseView

@@ -1,22 +1,28 @@
 """The cart of chapter 11 in its aisle, as a widget that moves.
 
 The view asks the node for nothing but its parameters, and works out the drive itself. So it shows the finished cart as
-well as one that a learner is building, and a cart in another process.
+well as one that a learner is building, and a cart in another process. ``drawing.driving`` draws it so that the browser
+moves it by itself, and ``driving.js`` shows it. A picture is sent only when the cart begins a motion or ends it; on the
+way, a few words for each thing that it begins to do. While it stands still, nothing is sent.
 """
 
+import html
 import time
 from typing import Any
 
+import traitlets
 from rclpy.node import Node
 
+from param_tools.markup.scripts import bundle
+from param_tools.markup.styles import sheet
 from param_tools.node.client import ParameterClient, node_name
 from param_tools.node.live import LiveParameters
+from param_tools.panel.front import Front
 from param_tools.panel.view import ParameterView
 from param_tools.ros.schedule import Job
 from param_tutorial.nodes.cart_node import AISLE_M, SIGHT_M
 from param_tutorial.nodes.clawbot_node import SAFETY_GAP_M, Motion, Settings, State, plan
-from param_tutorial.views.drawing.cart import Cart
-from param_tutorial.views.driving import DrivingView
+from param_tutorial.views.drawing import driving
 
 _SHOW_PERIOD_SEC = 0.05
 _READY = Motion((), State('READY', 0.0))
@@ -27,7 +33,7 @@ def settings_of(speed_mps: float, acceleration_mps2: float) -> Settings:
     return Settings(speed_mps, acceleration_mps2, track_m=AISLE_M + SAFETY_GAP_M)
 
 
-def cart_on_trip(node: str, speed_mps: float, acceleration_mps2: float) -> Cart:
+def cart_on_trip(node: str, speed_mps: float, acceleration_mps2: float) -> driving.Cart:
     """Return a cart that is about to drive along the aisle.
 
     :param node: The name of its node.
@@ -36,12 +42,25 @@ def cart_on_trip(node: str, speed_mps: float, acceleration_mps2: float) -> Cart:
     return _cart(node, settings, plan(0.0, 0.0, settings))
 
 
-def _cart(node: str, settings: Settings, motion: Motion, before_sec: float = 0.0) -> Cart:
-    return Cart(name=node.rpartition('/')[2], node=node, settings=settings, motion=motion, sight_m=SIGHT_M,
+def _cart(node: str, settings: Settings, motion: Motion, before_sec: float = 0.0) -> driving.Cart:
+    return driving.Cart(name=node.rpartition('/')[2], node=node, settings=settings, motion=motion, sight_m=SIGHT_M,
                 before_sec=before_sec)
 
 
-class CartView(DrivingView, ParameterView):
+class _Front(Front):
+    """The cart in the browser."""
+
+    _esm = bundle('param_tutorial/views/driving.js')
+    _css = sheet('param_tutorial/views/drawing/track.css') + sheet('param_tutorial/views/driving.css')
+    markup = traitlets.Unicode(driving.view('Drive', 'Put it back to the start, and let it go')).tag(sync=True)
+    picture = traitlets.Unicode().tag(sync=True)
+    take = traitlets.Int().tag(sync=True)
+    """The number of the picture: the same one may be shown again, from its beginning."""
+    scene: traitlets.List[Any] = traitlets.List().tag(sync=True)
+    """What the picture tells; empty if there is no cart."""
+
+
+class CartView(ParameterView):
     """A cart that drives along its aisle as its parameters say, until it is closed.
 
     Show it as the last line of a cell.
@@ -57,7 +76,13 @@ class CartView(DrivingView, ParameterView):
         # It comes back when the cart begins to do something else.
         self._clock = Job(self._show, _SHOW_PERIOD_SEC)
         self._live = LiveParameters(node_name(node), self._follow)
-        super().__init__()
+        self._text = ''
+        # What is shown, and the word for what it does.
+        self._cart: driving.Cart | None = None
+        self._word = ''
+        self._front = _Front()
+        self._front.on_msg(self._on_message)
+        super().__init__([self._front], 'robot-view')
         self._begin()
 
     def drive(self) -> None:
@@ -120,3 +145,38 @@ class CartView(DrivingView, ParameterView):
             if state.word not in ('READY', 'STOPPED'):
                 self._go(state, driven_sec)
         return ''
+
+    @property
+    def text(self) -> str:
+        """What the picture shows, in words, as a screen reader tells it."""
+        return self._text
+
+    def _on_message(self, _widget: object, content: dict[str, Any], _buffers: object) -> None:
+        if content == {'do': 'drive'}:
+            self.drive()
+
+    def _draw(self, cart: driving.Cart, elapsed_sec: float) -> None:
+        """Show the cart so many seconds after its motion began, unless the browser is at it already."""
+        moment = cart.at(elapsed_sec)
+        # The same drive may begin anew.
+        goes_on = cart == self._cart and cart.motion is self._cart.motion
+        if goes_on and moment.state.word == self._word:
+            return
+        self._cart, self._word, self._text = cart, moment.state.word, moment.text
+        is_moving = elapsed_sec < cart.motion.duration_sec
+        with self._front.hold_sync():
+            if not is_moving or not goes_on:
+                self._show_picture(driving.moving(cart) if is_moving else driving.still(moment))
+            self._front.scene = list(moment.scene)
+
+    def _draw_nothing(self, words: str) -> None:
+        """Say why there is nothing to see."""
+        self._cart = None
+        self._text = words
+        with self._front.hold_sync():
+            self._show_picture(f'<div class="robot-head">{html.escape(words)}</div>')
+            self._front.scene = []
+
+    def _show_picture(self, picture: str) -> None:
+        self._front.picture = picture
+        self._front.take += 1

@@ -6,13 +6,15 @@ from collections import deque
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+import ipywidgets as widgets
 from rcl_interfaces.msg import ParameterEvent
 
 from param_tools import values
 from param_tools.markup.styles import style
 from param_tools.markup.tables import table
-from param_tools.panel.view import FeedView
+from param_tools.panel.view import FollowingView
 from param_tools.ros.executor import BackgroundExecutor
+from param_tools.ros.services import full_name
 
 # As many as fit on a few screens; older ones are dropped.
 CAPACITY = 200
@@ -39,7 +41,7 @@ def changes_in(event: ParameterEvent) -> list[EventRow]:
             for each in parameters]
 
 
-class EventView(FeedView):
+class EventView(FollowingView):
     """A table of what is published on /parameter_events from now on, newest first, until it is closed."""
 
     def __init__(self, node: str | None = None) -> None:
@@ -49,8 +51,22 @@ class EventView(FeedView):
         """
         self._lock = threading.Lock()
         self._changes: deque[EventRow] = deque(maxlen=CAPACITY)
-        super().__init__(node, subject='Changes', css_class='param-events',
-                         content_class='param-events-rows', style=_STYLE)
+        self._node = None if node is None else full_name(node)
+        self._content = widgets.HTML()
+        self._content.add_class('param-events-rows')
+        self._title = html.escape(f'Changes of {self.node}')
+        heading = widgets.HTML(f'{_STYLE}<b>{self._title}</b>')
+        heading.add_class('param-events-title')
+        super().__init__([heading, self._content], 'param-events')
+        self._begin()
+
+    def __repr__(self) -> str:
+        return f'<EventView: {self.node}>'
+
+    @property
+    def node(self) -> str:
+        """The fully qualified name of the node that it listens to, or 'all nodes'."""
+        return self._node or 'all nodes'
 
     @property
     def changes(self) -> list[EventRow]:
@@ -67,8 +83,8 @@ class EventView(FeedView):
                 self._changes.extend(changes_in(event))
             self._job.wake()
 
-    def _markup(self) -> str:
+    def _show(self) -> None:
         rows = [(each.node, each.kind, each.name, '' if each.kind == 'deleted' else values.format_value(each.value))
                 for each in reversed(self.changes)]
-        return (f'<div role="log" tabindex="0" aria-label="{html.escape(self._title)}">'
-                f'{table(("node", "what", "parameter", "value"), rows)}</div>')
+        self._content.value = (f'<div role="log" tabindex="0" aria-label="{self._title}">'
+                               f'{table(("node", "what", "parameter", "value"), rows)}</div>')

@@ -35,7 +35,7 @@ class SideBySide(widgets.VBox):
 
     def __init__(self, picture: View, panel: View) -> None:
         """
-        :param picture: What stays in sight: a RobotView, for example, or any other view.
+        :param picture: What stays in sight: a TrackView, for example, or any other view.
         :param panel: What is beside it, or below it: a ParameterPanel, for example.
         """
         self.parts: tuple[View, ...] = (picture, panel)

@@ -8,7 +8,8 @@ picture is drawn once for a track. ``views/track.css`` moves its parts by variab
 import html
 from dataclasses import dataclass
 
-from param_tutorial.views.drawing import driving, robot
+from param_tutorial.views.drawing import driving, svg
+from param_tutorial.views.drawing.driving import GROUND
 
 # Slower looks like standing.
 _STANDING_MPS = 0.005
@@ -17,8 +18,11 @@ _FASTEST_SHOWN_MPS = 2.0
 # As on a wheel of this radius, in m, although the robot is drawn larger than the track.
 _WHEEL_M = 0.2
 _SCALE = 1.9
-# How high its upper side is, in centimeters.
-_DECK = -26.0
+# In centimeters: its upper side, the eye of its sensor, where that sits behind the front, and the wheels' radius.
+_DECK, _EYE, _SENSOR, _RADIUS = -26.0, -33.0, -15.0, 9.0
+# Where the pieces of a crash end, for one meter per second: forward, upward, turned by so many degrees.
+_PIECES = ((-62, 40, 200), (-105, 8, -310), (-38, 95, 150), (-148, 30, 420), (-84, 66, -120), (-190, 6, 260),
+           (-30, 22, -80), (-120, 84, 330), (-230, 12, -200), (-66, 112, 90), (-170, 58, 510), (-270, 4, 380))
 
 
 @dataclass(frozen=True)
@@ -111,12 +115,9 @@ def draw_track(moment: Moment) -> str:
         f'<span class="track-mark{" track-between" if moment.wall_m > 5 * step and meter // step % 2 else ""}" '
         f'style="left:{100 * meter / moment.wall_m:.2f}%">{meter} m</span>'
         for meter in range(0, int(moment.wall_m) + 1, step))
-    eye = robot.eye_over(_DECK)
     # The wall hides where the ray ends.
-    ray = (f'<g class="track-ray"><path class="robot-beam" d="M-12 {eye:g}l44 -8v16z"/>'
-           f'<path class="robot-laser" style="stroke-width:.8" d="M-12 {eye:g}h9999"/></g>')
-    body = robot.machine(0, _DECK, 9.0, -15.0, 'transform:rotate(calc(var(--turn)*1rad))',
-                         'transform:rotate(calc(var(--lean)*1rad))')
+    ray = (f'<g class="track-ray"><path class="robot-beam" d="M-12 {_EYE:g}l44 -8v16z"/>'
+           f'<path class="robot-laser" style="stroke-width:.8" d="M-12 {_EYE:g}h9999"/></g>')
     return (
         f'<div class="robot-stage track-stage" style="{css}">'
         f'<div class="robot-head" aria-hidden="true"><span class="robot-word">{moment.word}</span>{readouts}'
@@ -124,11 +125,57 @@ def draw_track(moment: Moment) -> str:
         f'<div class="track-scene{" robot-crashed" if moment.crash_speed_mps is not None else ""}" role="img" '
         f'aria-label="{html.escape(moment.text)}"><div class="track-way" aria-hidden="true">{marks}'
         f'<div class="track-robot"><svg><g transform="scale({_SCALE})">{ray}'
-        f'<g class="robot-machine" style="--crash:.6">{body}</g></g></svg></div>'
+        f'<g class="robot-machine" style="--crash:.6">{_machine()}</g></g></svg></div>'
         f'<div class="track-wall"></div><div class="track-gap"></div>'
         f'<strong class="track-gap-words">{says["track-gap-words"]}</strong>'
         f'<div class="track-robot"><i class="track-end"></i><div class="track-arrow"><i class="track-arrow-shaft"></i>'
         f'<i class="track-arrow-head"></i><i class="track-arrow-command"></i>'
         f'<strong class="track-arrow-words">{says["track-arrow-words"]}</strong></div></div>'
-        f'<svg class="track-crash"><g transform="translate(0 {1 - driving.GROUND})">'
-        f'{robot.crash(0, moment.crash_speed_mps or 1, 194)}</g></svg></div></div></div>')
+        f'<svg class="track-crash"><g transform="translate(0 {1 - GROUND})">'
+        f'{_crash(moment.crash_speed_mps or 1)}</g></svg></div></div></div>')
+
+
+def _machine() -> str:
+    """Return SVG of the robot in centimeters; its bumper ends at 0, where its front is."""
+    turn, lean = 'transform:rotate(calc(var(--turn)*1rad))', 'transform:rotate(calc(var(--lean)*1rad))'
+    return (
+        # The antenna leans as the robot speeds up and brakes. Parts that move by themselves come first and last:
+        # each is a layer of the browser's, and so is what lies between two of them.
+        f'<g class="robot-antenna" style="{lean}"><path d="M-53 {_DECK:g}v-30"/>'
+        f'<path class="robot-paint robot-paint-0" d="M-53 {_DECK - 30:g}h-12l3 4l-3 4h12z"/></g>'
+        # An arm with a claw, raised.
+        f'<path class="robot-arm" d="M-43 {_DECK:g}V{_DECK - 24:g}L-20 {_DECK - 33:g}L-11 {_DECK - 24:g}"/>'
+        f'<path class="robot-claw" d="M-15 {_DECK - 20:g}q-1 -8 5 -8l7 1M-11 {_DECK - 24:g}q8 5 6 13l-5 4"/>'
+        f'<circle class="robot-joint" cx="-43" cy="{_DECK - 24:g}" r="3"/>'
+        f'<circle class="robot-joint" cx="-20" cy="{_DECK - 33:g}" r="3"/>'
+        f'<rect class="robot-paint robot-paint-0" x="-59" y="{_DECK:g}" width="55" height="17" rx="3.5"/>'
+        f'{driving.pattern(0, -55, _DECK + 2, 42, 11)}'
+        f'<rect class="robot-bumper" x="-4.4" y="{-_RADIUS - 7:g}" width="4" height="12" rx="1.6"/>'
+        f'<path class="robot-arm" d="M{_SENSOR:g} {_DECK:g}v-4"/>'
+        f'<rect class="robot-part" x="{_SENSOR - 4:g}" y="{_EYE - 4:g}" width="8" height="8" rx="2"/>'
+        f'<circle class="robot-eye" cx="{_SENSOR + 1.5:g}" cy="{_EYE:g}" r="2.2"/>'
+        f'{driving.wheel(-46, _RADIUS, turn)}{driving.wheel(-17, _RADIUS, turn)}')
+
+
+def _crash(speed_mps: float) -> str:
+    """Return the cracks in the wall, which is at 0, the pieces that fly, and a star with the word."""
+    cracks = f'M0.0 {GROUND - 42.68:.1f}l14 -9l8 -22l16 -8m-24 30l20 12l26 -6m-46 -6l-4 14l12 18l-4 16l14 14'
+    force = min(1.6, max(0.35, speed_mps))
+    pieces = ''.join(
+        f'<path class="robot-debris" style="--x:{x * force:.0f}px;--y:{-y * force * (.2 if index % 2 else 0):.0f}px;'
+        f'--top:{-60 * force - y * force:.0f}px;--r:{turn}deg" '
+        f'd="M-8.0 {GROUND - 4:.1f}l{5 + index % 4} -{7 + index % 3}l{4 + index % 3} {5 + index % 4}z"/>'
+        for index, (x, y, turn) in enumerate(_PIECES[:max(4, min(len(_PIECES), round(10 * speed_mps)))]))
+    x, y = -250, 96
+    return (f'<path class="robot-line robot-crack" d="{cracks}"/>{pieces}<g class="robot-burst">'
+            f'<polygon points="{_burst(x, y, 122, 76)}"/>{svg.words(x, y + 2, "CRASH", css_class="robot-bang")}'
+            f'{svg.words(x, y + 32, f"{speed_mps:.2f} m/s", css_class="robot-bang-speed")}</g>')
+
+
+def _burst(x: float, y: float, width: float, height: float) -> str:
+    """Return the corners of a star of sixteen points, long and short ones by turns."""
+    # The sines of a quarter circle to two digits, so that no math library decides on the last digit of a corner.
+    directions = ((1, 0), (.92, .38), (.71, .71), (.38, .92), (0, 1), (-.38, .92), (-.71, .71), (-.92, .38))
+    circle = [*directions, *((-a, -b) for a, b in directions)]
+    return ' '.join(f'{x + a * width * (1 - index % 2 * .32):.1f},{y + b * height * (1 - index % 2 * .32):.1f}'
+                    for index, (a, b) in enumerate(circle))
