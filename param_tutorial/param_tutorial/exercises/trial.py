@@ -34,7 +34,7 @@ from param_tools.ros import interrupts, stage
 from param_tools.ros.executor import BackgroundExecutor, Failure
 from param_tools.ros.service_types import SERVICE_TYPES
 from param_tools.ros.waiting import deadline, wait, wait_until
-from param_tutorial.package.loading import READERS
+from param_tutorial.package.loading import READERS, cause
 
 NodeT = TypeVar('NodeT', bound=Node)
 
@@ -67,8 +67,8 @@ def overrides(start: Mapping[str, object]) -> list[str]:
 
 def moved_to(namespace: str) -> list[str]:
     """Return the rules that put a node into a namespace, and let it find the nodes there that an exercise names."""
-    return [f'__ns:={namespace}', *(f'{node}/{service}:={namespace}{node}/{service}'
-                                    for node in ('/rover', '/driver') for service in SERVICE_TYPES)]
+    return [f'__ns:={namespace}', *(f'{name}:={namespace}{name}' for name in (
+        '/cmd_vel', '/distance', *(f'{node}/{each}' for node in ('/rover', '/driver') for each in SERVICE_TYPES)))]
 
 
 class NotYet(Exception):
@@ -188,9 +188,7 @@ class Trial:
             is_bare = (isinstance(error, AttributeError) and isinstance(error.obj, Node)
                        and getattr(error.obj, 'handle', None) is None)
             raise NoStart('a node that starts', f'its constructor did not finish. {describe_error(error)}' + (
-                '. Does `__init__` begin with `super().__init__(…)`?' if is_bare else
-                '. A descriptor has its range in a list, in brackets' if "Range' object is not subs" in str(error) else
-                '')) from None
+                '. Does `__init__` begin with `super().__init__(…)`?' if is_bare else '')) from None
         if isinstance(self.work, type) and issubclass(node_class, self.work):
             self.names.add(node.get_name())
             _expect_sendable(node)
@@ -422,4 +420,4 @@ def describe_error(error: BaseException) -> str:
     for frame, number in traceback.walk_tb(error.__traceback__):
         if frame.f_globals.get('__name__') == '__main__' or READERS in frame.f_globals:
             line = linecache.getline(frame.f_code.co_filename, number, frame.f_globals).strip() or line
-    return words + (f', in the line `{line}`' if line else '')
+    return words + (f', in the line `{line}`' if line else '') + (f'. {why}' if (why := cause(error)) else '')

@@ -8,6 +8,7 @@ WRONG = {
            "group = 'gains.wheel_joint'\n")],
          0, "NameError: name 'group' is not defined, in the line `gains"),
         ([('{group}.d', '{group}.i')], 2, 'it is `0.0`'),
+        ([('set_parameters_atomically', 'set_all')], 0, "'ParameterClient' object has no attribute 'set_all'"),
         ([('_atomically', '')], 2, 'there were 2'),
         ([("gains = {f'{group}.p': 0.3, f'{group}.d': 0.02}\n", ''),
           ('client.set_parameters_atomically(gains)\n',
@@ -76,6 +77,7 @@ RIGHT = {
           "group = 'gains.wheel_joint'\n")],
         [("f'{group}.p': 0.3, f'{group}.d': 0.02", "f'{group}.d': 0.02, f'{group}.p': 0.3")],
         [("'/wheel_controller'", "'wheel_controller'")],
+        [("ParameterClient('/wheel_controller')", "ParameterClient('/wheel_controller', timeout_sec=2.0)")],
         [("group = 'gains.wheel_joint'\n"
           "gains = {f'{group}.p': 0.3, f'{group}.d': 0.02}\n",
           "gains = {'gains.wheel_joint.p': 0.3, 'gains.wheel_joint.d': 0.02}\n")],
