@@ -15,6 +15,8 @@ WRONG = {
         ([('<exec_depend>rclpy', '<exec_depend>rclpy geometry_msgs'), ('  <exec_depend>geometry_msgs</exec_depend>\n',
                                                                      '')], 2, 'none for `rclpy`, `geometry_msgs`'),
         ([('<name>my_robot', '<name>robot')], 0, 'it says `robot`'),
+        ([('  <test_depend>python3', '  <test_depend>ament_pep257</test_depend>\n  <test_depend>python3')], 2,
+         'there are still `ament_pep257`'),
         ([('    <build_type>ament_python</build_type>\n', '')], 0, 'it says ``'),
         ([(DESCRIPTION, ' ')], 2, 'it is empty, or missing'),
         ([(DESCRIPTION, 'speed < 2')], 0, 'not well-formed'),

@@ -58,16 +58,20 @@ WRONG = {
         ([('= self.speed_mps', '= 0.5')], 2, 'it is 0.5'),
         ([('to_value=2.0', 'to_value=20.0')], 2, 'Its range goes from 0.0 to 20.0'),
         ([('        self.create_timer(0.1, self.drive)\n', '')], 1, 'Does a timer call the method that publishes?'),
-        ([('self.drive)', 'self.drive())')], 0, "TypeError: 'NoneType' object is not callable"),
+        ([('self.drive)', 'self.drive())')], 0, 'A callback is given by its name alone, without parentheses'),
         ([('        self.commands.publish(command)\n', '')], 1, 'Does a timer call the method that publishes?'),
         ([('linear.x', 'linear.y')], 2, 'Does the node set `linear.x`, and to a float?'),
-        ([('def drive(self)', 'def drive()')], 0, 'takes 0 positional arguments but 1 was given'),
+        ([('def drive(self)', 'def drive()')], 0, 'The first parameter of a method is `self`'),
         ([(f'floating_point_range=[{RANGE}]', '')], 2,
          'A description is for people'),
         ([(f'[{RANGE}]', RANGE)], 0,
          'A descriptor has its range in a list'),
         ([("= self.get_parameter('max_speed_mps').value", "= self.get_parameter('max_speed_mps')")],
          2, 'it is 0.0'),
+        ([('self.create_timer(0.1', 'self.create_timer(1.0')], 1, 'its timer comes every 1 s'),
+        ([("description='Speed at which the robot drives, in m/s.'", "description=''")], 2, 'its descriptor has none'),
+        ([('0.1, self.drive', '0.1, drive')], 0, '`self.` is missing before `drive`'),
+        ([('        self.speed_mps =', '        speed_mps =')], 0, 'In `__init__`, `speed_mps` has no `self.`'),
     ],
     '3d': [
         ([('        rclpy.spin(Driver())\n', '        driver = Driver()\n')], 0, 'Nothing spins the node'),
@@ -105,6 +109,7 @@ RIGHT = {
     ],
     '3c': [
         [('self.create_timer', 'self.timer = self.create_timer')],
+        [("'cmd_vel'", "'/cmd_vel'")],
         [('command = Twist()\n        command.linear.x = self.speed_mps\n', 'command = Twist()\n        '
           'command.linear.x = float(self.speed_mps)\n')],
         # It reads the parameter each time, as chapter 4 does.

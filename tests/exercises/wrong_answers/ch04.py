@@ -29,7 +29,7 @@ WRONG = {
          'still uses a copy that was made before'),
         ([(_SPEED, 'command.linear.x = 0.5')], 1, 'it is 0.5'),
         ([('(self)', '()')], 0, 'takes 0 positional arguments but 1 was given'),
-        ([(_READ, _READ.removeprefix('self.'))], 0, "name 'get_parameter' is not defined"),
+        ([(_READ, _READ.removeprefix('self.'))], 0, '`self.` is missing before `get_parameter`'),
         ([(_READ, _READ.replace('max_speed', 'max_sped'))], 0, 'Invalid access to undeclared parameter'),
         ([('        self.commands.publish(command)\n', '')], 0, 'Does a timer call the method that publishes?'),
         ([('        self.create_timer(0.1, self.drive)\n', f'        self.create_timer(0.1, self.drive)\n{_JUDGE}'),
@@ -54,8 +54,8 @@ WRONG = {
         ([("'stop_distance_m', 0.5", "'stop_distance_m', 1")], 1, 'type integer, value `1`'),
         ([('to_value=5.0', 'to_value=50.0')], 3, 'its `to_value` is 50.0'),
         ([('def listen(self, measured)', 'def listen(measured)')], 0, 'callable with one argument'),
-        ([('self.distance_m = measured', 'distance_m = measured')], 2, 'It stands still although the wall is far'),
-        ([('self.listen, 10', 'self.listen(), 10')], 0, "missing 1 required positional argument: 'measured'"),
+        ([('self.distance_m = measured', 'distance_m = measured')], 2, '`self.distance_m` is still `None`'),
+        ([('self.listen, 10', 'self.listen(), 10')], 0, 'A callback is given by its name alone, without parentheses'),
         ([(f'        if {_MAY}:', '        if self.distance_m is None:\n            return\n        if '
            'self.distance_m > stop_distance_m:')], 3, 'nothing is published'),
     ],
@@ -69,6 +69,9 @@ WRONG = {
         ([('return stops.pop(0), stops', 'return stops.pop(0)')], 0, 'it returns `1`'),
         ([('pop(0)', 'pop()')], 0, 'it is `3`'),
         ([('.value)', ')')], 0, "'Parameter' object is not iterable"),
+        # A client's array, which the node holds itself.
+        ([("list(node.get_parameter('stops').value)", "node.get_parameter('stops').value\n    stops = stops.copy() if "
+           'isinstance(stops, list) else stops'), ('.pop(0), stops', '.pop(0), list(stops)')], 2, 'what the node it'),
         ([('    return stops.pop(0), stops', '    print(stops.pop(0), stops)')], 0, 'it returns `None`'),
         ([("list(node.get_parameter('stops').value)", '[1, 2, 3]')], 0, 'it is `1`'),
     ],
@@ -117,6 +120,9 @@ RIGHT = {
         [('return stops.pop(0), stops', 'return stops[0], stops[1:]')],
         [('stops = list(node', 'first, *stops = list(node'), ('return stops.pop(0), stops', 'return [first, stops]')],
         [("list(node.get_parameter('stops').value)", "[each for each in node.get_parameter('stops').value]")],
+        # A message has an array of its own.
+        [("list(node.get_parameter('stops').value)", "node.get_parameter('stops').get_parameter_value()."
+          'integer_array_value'), ('.pop(0), stops', '.pop(0), list(stops)')],
     ],
     '4d': [
         [('min=0.0, max=3.0', 'max=3.0, step=0.01, continuous_update=False')],

@@ -47,7 +47,8 @@ WRONG = {
         ([(_REGISTER, ''), (_DECLARE, _REGISTER + _DECLARE)], 0, 'is asked about each of them'),
         ([('speed_mps ** 2 / 2', 'speed_mps ** 2')], 0, 'it was rejected: 0.8 m/s takes 0.64 m'),
         ([('braking_m > stop_m', 'braking_m < stop_m')], 0, 'it was rejected: 0.8 m/s takes 0.32 m'),
-        ([(_REGISTER, _REGISTER.replace('self.judge', 'self.judge()'))], 0, 'missing 1 required positional argument'),
+        ([(_REGISTER, _REGISTER.replace('self.judge', 'self.judge()'))], 0, 'without parentheses'),
+        ([(_REGISTER, _REGISTER.replace('on_set', 'pre_set'))], 0, 'A pre-set callback returns a list'),
         ([(_REGISTER, _REGISTER.replace('on_set', 'post_set'))], 0, 'No callback of yours is asked'),
         ([('parameter.name: parameter.value', 'parameter.name: parameter')], 0, 'TypeError'),
         ([(_SPEED, "new['max_speed_mps']")], 0, "a callback raised KeyError: 'max_speed_mps'"),
@@ -67,6 +68,10 @@ WRONG = {
         ([('            raise ValueError(start.reason)', '            self.get_logger().error(start.reason)')], 3,
          'it started, with'),
         ([('raise ValueError(start.reason)', 'self.set_parameters([])')], 3, 'it started, with'),
+        ([('raise ValueError', 'raise SystemExit')], 3, 'its constructor did not finish. SystemExit: 2.0 m/s takes'),
+        # Looks at the first parameter of a request alone.
+        ([(f'{_EACH}{_IF_SPEED}', f'{_EACH}{_IF_SPEED}'.replace('parameters:', 'parameters[:1]:'))], 3,
+         'the last line of that kind is `max_speed_mps is now 0.8`'),
         # Its judge is asked by the declarations, before there is a second parameter.
         ([(_START, ''), (_REGISTER, ''), (_DECLARE, _REGISTER + _DECLARE)], 0, 'is asked about each of them'),
         ([("['max_speed_mps', 'stop_distance_m']", "['max_speed']")], 0, 'ParameterNotDeclaredException'),
@@ -81,6 +86,7 @@ WRONG = {
         ([('0 <= parameter.value <= 100', '0 < parameter.value <= 100')], 0, 'it was rejected: 0 is not a percentage'),
         ([('0 <= parameter.value <= 100', '0 <= parameter.value < 100')], 0, '100 is not a percentage'),
         ([(_KNOWN, "if parameter.name == 'open_percent' and not 0")], 2, 'it was accepted'),
+        ([("__init__('door'", "__init__('door', start_parameter_services=False")], 0, 'it has no services for'),
         ([(_KNOWN, 'if type(parameter.value) is int and not 0')], 2, 'The callback is called for them, too'),
         ([(_KNOWN, "if parameter.name not in ('open_percent', 'force_percent') or not 0")], 2, 'called for them, too'),
         ([(_MOTOR, '        self.motor_percent = parameters[0].value if parameters else 0')], 0,
@@ -125,7 +131,6 @@ RIGHT = {
           f'{_ACCEPTED}')],
     ],
     '5.2b': [
-        [('raise ValueError(start.reason)', 'raise SystemExit(start.reason)')],
         [(_LOG, "self.get_logger().warning(f'Driver: max_speed_mps is now {parameter.value} m/s')")],
         [(_IF_SPEED, ''), (f'                {_LOG}', "            self.get_logger().info(f'{parameter.name} is now "
                                                      "{parameter.value}')")],

@@ -181,6 +181,9 @@ def has_dependencies(trial: Trial) -> None:
     elsewhere = sorted({each.tag for each in root.iter() if (each.text or '').strip() in missing})
     expect(not missing, 'an `<exec_depend>` for each', 'there is none for ' + ', '.join(f'`{each}`' for each in missing)
            + (f'. A `<{elsewhere[0]}>` says something else' if elsewhere else ''))
+    left = [each.text for each in root if (each.text or '').strip().startswith('ament_')]
+    expect(not left, 'they replace the three lines with `ament_`',
+           'there are still ' + ', '.join(f'`{each}`' for each in left))
 
 
 says = Exercise('2d', 'What your driver says', CHAPTER, PACKAGE, hints=(

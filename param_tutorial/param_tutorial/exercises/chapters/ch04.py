@@ -8,7 +8,9 @@ from rclpy.node import Node
 
 from param_tools import values
 from param_tools.node.client import ParameterClient
+from param_tools.ros.waiting import wait
 from param_tools.values import DOUBLE
+from param_tutorial.exercises.chapters.ch03 import FAR
 from param_tutorial.exercises.exercise import FUNCTION, Exercise
 from param_tutorial.exercises.expectations import (
     WithSecondJudge,
@@ -55,7 +57,7 @@ def commands_speed(trial: Trial) -> None:
 @reads.require('when a client sets `max_speed_mps`, the commands follow', see=NOTICE)
 def follows(trial: Trial) -> None:
     take_for_granted(trial, commands_speed)
-    node, bench = start_on_bench(trial)
+    node, bench = start_on_bench(trial, *FAR)
     expect_follows(trial, node, bench, 1.0, 0.25, 0.75)
 
 
@@ -92,7 +94,8 @@ stops = Exercise('4b', 'Stop before the wall', CHAPTER, DRIVER, node_name='drive
 @stops.require('`stop_distance_m` is a double, 0.5 at the start, with a range from 0.1 to 5.0', see=LISTEN)
 def declares_distance(trial: Trial) -> None:
     expect_declared(trial, 'stop_distance_m', DOUBLE, 0.5)
-    node = trial.start()
+    # At this speed, the driver of chapter 5.2 takes any distance.
+    node = trial.start(ros_args=['-p', 'max_speed_mps:=0.0'])
     expect_range_fields(node, 'stop_distance_m')
     expect_range(trial.client(node), 'stop_distance_m', 0.1, 5.0, 0.0)
 
@@ -118,7 +121,10 @@ def stops_at_wall(trial: Trial) -> None:
             (0.51, 0.5, 'It has stopped once. The wall is farther away now, so it may drive again'),
             (0.5, 0.0, 'That is not greater than `stop_distance_m`')):
         bench.measure(distance_m)
-        expect_speed(trial, bench, speed_mps, f'at a distance of {distance_m} m', {0.5 - speed_mps: remark})
+        has_heard = wait(lambda: getattr(node, 'distance_m', 0.0) is not None, 1.0)
+        expect_speed(trial, bench, speed_mps, f'at a distance of {distance_m} m', {
+            0.5 - speed_mps: remark if has_heard else '`self.distance_m` is still `None`. Does the method that gets '
+                                                      'the message set it, with `self.`?'})
 
 
 @stops.require('both parameters count as soon as a client has set them', see=NOTICE)
@@ -184,8 +190,12 @@ def leaves_stops(trial: Trial) -> None:
 def returns_stops_set(trial: Trial) -> None:
     node = trial.start(Route)
     for stops in ([3, 4], [7, 8, 9]):
-        trial.client(node).set_parameter('stops', stops).raise_for_reason()
+        client = trial.client(node)
+        client.set_parameter('stops', stops).raise_for_reason()
         expect_stops(trial, node, *stops)
+        now = client.get_parameter('stops')
+        expect(now == stops, f'a client gets `{stops!r}`, as it has set them',
+               f'it gets `{now!r}`. Your function has changed what the node itself holds')
 
 
 slides = Exercise('4d', 'A slider that shows what the node holds', CHAPTER, FUNCTION, hints=(

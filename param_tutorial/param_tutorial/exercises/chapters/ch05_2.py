@@ -75,8 +75,8 @@ def start_driver(trial: Trial, start: Mapping[str, float] | None = None, *,
     except NoStart as error:
         if 'ParameterNotDeclared' not in error.happened:
             raise
-        raise NoStart(error.expected, f'{error.happened}. A callback that is registered before the declarations is '
-                      'asked about each of them') from None
+        raise NoStart(error.expected, f'{error.happened}. The declarations come first: a callback that is '
+                      'registered before them is asked about each of them') from None
     take_type_for_granted(trial.client(driver), DOUBLE, SPEED, STOP)
     return driver
 
@@ -167,7 +167,8 @@ def starts_only_right(trial: Trial) -> None:
     for start in ({SPEED: 2.0}, {STOP: 0.1}, {SPEED: 1.8, STOP: 1.0}):
         try:
             driver = start_driver(trial, start)
-        except NoStart:
+        except NoStart as error:
+            expect(isinstance(error.__context__, ValueError), 'a `ValueError` from the constructor', error.happened)
             continue
         held = ' and '.join(f'`{name} = {driver.get_parameter(name).value}`' for name in (SPEED, STOP))
         raise NotYet('it does not start with ' + ' '.join(f'`-p {name}:={value}`' for name, value in start.items()),
@@ -197,9 +198,9 @@ def logs_stored(trial: Trial) -> None:
     try:
         driver = start_driver(trial, node_class=derive(WithSecondJudge, trial.work))
         before = lines_about_speed(trial, driver, heard)
-        for speed_mps in (0.8, 0.3):
-            expect_accepted(trial, driver, {SPEED: speed_mps})
-            lines, wanted = lines_about_speed(trial, driver, heard), f'{SPEED} is now {speed_mps}'
+        for new in ({SPEED: 0.8}, {STOP: 0.6, SPEED: 0.3}):
+            expect_accepted(trial, driver, new)
+            lines, wanted = lines_about_speed(trial, driver, heard), f'{SPEED} is now {new[SPEED]}'
             expect(len(lines) > len(before) and wanted in lines[-1], f'`{wanted}` in the log once it is stored',
                    f'the last line of that kind is `{lines[-1]}`' if lines else 'it logs no line of that kind')
             before = lines

@@ -1,5 +1,6 @@
 """Exercises of chapter 5.3: the tuner asks the driver for a value, and sets a slower one; and reading an answer."""
 
+import inspect
 import re
 import time
 from collections.abc import Mapping
@@ -28,6 +29,7 @@ from param_tutorial.exercises.expectations import (
 from param_tutorial.exercises.programs import require_program
 from param_tutorial.exercises.steps import TUNER, TUNER_PROGRAM, class_of
 from param_tutorial.exercises.trial import (
+    GROUP_IS_BUSY,
     STUCK,
     TIME_LIMIT_SEC,
     NotYet,
@@ -145,8 +147,10 @@ def expect_questions(trial: Trial, driver: Driver | Frozen) -> None:
     before, count = len(driver.times_asked), 4
     wait(lambda: len(driver.times_asked) > before + count or trial.raised(), TIME_LIMIT_SEC)
     times = driver.times_asked[before:]
-    expect(len(times) > count and times[count] - times[0] < count * 0.8, 'the driver is asked twice a second',
-           f'it is asked {len(times)} times in {times[-1] - times[0]:.1f} s' if times else 'it is not asked')
+    awaits = isinstance(trial.work, type) and any(map(inspect.iscoroutinefunction, vars(trial.work).values()))
+    expect(len(times) > count and times[count] - times[0] < count * 0.8, 'the driver is asked twice a second', (
+        f'it is asked {len(times)} times in {times[-1] - times[0]:.1f} s' if len(times) > 1 else
+        'it is asked once' if times else 'it is not asked') + (f'. {GROUP_IS_BUSY}' if awaits else ''))
 
 
 @asks.require('it logs the value from each answer', see=ASK)
