@@ -65,8 +65,8 @@ def test_any_name_but_the_empty_one_can_be_declared(ros):
         ros.run(lambda: node.declare_parameter('', 1), 'declare')
 
 
-# A030, A045, A050, A051, A052, A053, A054, A055, A056, A075, A090, A091, A092, A094, A095, A098: the article's robot
-# compares types, with two kinds of numbers.
+# A030, A045, A050, A051, A052, A053, A054, A055, A056, A075, A090, A091, A092, A094, A095, A098, A100, A103: the
+# article's robot compares types, with two kinds of numbers.
 def test_two_of_four_values_get_into_the_articles_robot(ros):
     asked, types = [], {
         'max_speed_rpm': ParameterType.PARAMETER_INTEGER, 'max_acceleration_mps2': ParameterType.PARAMETER_DOUBLE}
@@ -78,6 +78,8 @@ def test_two_of_four_values_get_into_the_articles_robot(ros):
 
     article = ros.add(SimpleParamNode)
     assert len(re.findall(r'\w+: [-\w.]+$', ros.node_log.read(until='robot_serial_number: '), re.MULTILINE)) == 7
+    assert len(ParameterClient(article).list_parameters()) == 9
+    assert ParameterClient(article).get_parameter('max_speed_rpm') == 100
     article.add_on_set_parameters_callback(judge)
     ros.run(lambda: article.declare_parameter('later', 1), 'declare')
     assert asked == ['later']

@@ -92,7 +92,7 @@ def package(step, *replacements):
     """Return the package as it stands after a step, with some of its words replaced by others."""
     files = PackageFiles(Path(tempfile.mkdtemp(dir=_PROGRAMS.name)))
     files.lay_out(step)
-    texts = [*sorted(files.root.glob('my_robot/*_node.py')), files.path('package.xml'), files.path('setup.py')]
+    texts = sorted((each for each in files.root.rglob('*') if each.is_file()), key=lambda each: each.suffix != '.py')
     for old, new in replacements:
         path = next((each for each in texts if old in each.read_text()), None)
         assert path, f'step {step} has changed: {old!r} is not in it'

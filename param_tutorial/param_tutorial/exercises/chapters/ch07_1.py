@@ -1,237 +1,252 @@
-"""Exercises of chapter 7.1: write a small parameter file and a longer one by hand, and predict what comes back from a
-dump."""
+"""Exercises of chapter 7.1: the reader's parameter file and its installation, and a dump with five traps."""
 
+import os
 import re
-import tempfile
-from collections.abc import Mapping
+import sys
+import types
 from pathlib import Path
 from typing import Any
 
-from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 
 from param_tools import values
-from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
-from param_tutorial.exercises.expectations import expect_text
-from param_tutorial.exercises.trial import CORNER, NoStart, NotYet, NoUse, Trial, expect
+from param_tools.files import parameter_files
+from param_tutorial.exercises.exercise import TEXT, Exercise
+from param_tutorial.exercises.steps import PACKAGE, class_of
+from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, describe_error, expect
+from param_tutorial.learner.package_files import NAME, PackageFiles, our_copy
 
 CHAPTER = '07_1_saving'
 FORMAT = 'The format'
 BACK = 'Load it back'
 LOOKS_LIKE = 'Break it: strings that look like something else'
-SECOND = 'Break it: the second reader'
 NO_FILE = 'Break it: what no file can hold'
+FILE = 'config/my_robot.yaml'
+OF_EVERY_NODE = {'use_sim_time', 'start_type_description_service'}
 
 
-def expect_block(trial: Trial, full_name: str) -> None:
-    """Expect the learner's file to hold something for a node.
+def expect_block(trial: Trial, text: str, full_name: str) -> None:
+    """Expect a parameter file to hold something for a node.
 
     :raises NoUse: it holds nothing for it, so nothing that follows would say more.
     """
-    expect_text(trial)
-    namespace, _, name = full_name.rpartition('/')
+    if not text.strip():
+        raise NoUse('the text of a parameter file', 'there is nothing in it yet')
 
     class Finder(Node):
         def __init__(self) -> None:
-            super().__init__(name, automatically_declare_parameters_from_overrides=True)
+            super().__init__(full_name.strip('/'), automatically_declare_parameters_from_overrides=True)
 
     try:
-        finder = trial.start_with_files(Finder, {'work.yaml': trial.work}, '--params-file', 'work.yaml',
-                                        namespace=namespace)
+        finder = trial.start_with_files(Finder, {'work.yaml': text}, '--params-file', 'work.yaml')
     except NoStart:  # an empty array, for example: something has been found
         return
-    # Two that every node has.
-    if not set(trial.client(finder).list_parameters()) - {'use_sim_time', 'start_type_description_service'}:
+    if not set(trial.client(finder).list_parameters()) - OF_EVERY_NODE:
         raise NoUse(f'a block for `{full_name}`', 'the file has nothing for this node. Whom does its key name?')
 
 
-# Of the recorder that the learner writes a file for: each default, and the value that it should start with.
-GOALS = {
-    'version': ('0', '1.10'),
-    'mode': ('manual', 'on'),
-    'rate_hz': (10.0, 20.0),
-    'gains.kp': (1.0, 1.5),
-    'channels': (['left'], ['1', '2']),
-    'serial_number': ('R-000', '0042'),
-}
-# What a value of the wrong type comes from, by the type that the recorder wants and the one that rcl has found.
+# What a value of the wrong type comes from, by the type that a node wants and the one that rcl has found.
 CAUSES = {
     ('STRING', 'BOOL'): 'To rcl this word is a boolean, unless it is in quotes',
     ('STRING', 'INTEGER'): 'A string that looks like a number needs quotes',
     ('STRING', 'DOUBLE'): 'A string that looks like a number needs quotes',
     ('DOUBLE', 'INTEGER'): 'A double needs its dot, in a file too',
     ('DOUBLE', 'STRING'): 'In quotes it is a string',
-    ('STRING_ARRAY', 'INTEGER_ARRAY'): 'Each element that looks like a number needs quotes of its own',
+    ('INTEGER', 'DOUBLE'): 'An integer has no dot',
+    ('STRING_ARRAY', 'DOUBLE_ARRAY'): 'Each element that looks like a number needs quotes of its own',
     ('STRING_ARRAY', 'STRING'): 'This is one string. A list has brackets, or a dash before each element',
+    ('BYTE_ARRAY', 'STRING_ARRAY'): 'A file has no notation for bytes',
 }
 
 
-def recorder(name: str) -> type[Node]:
-    """Derive a recorder that declares one of its parameters, so that one mistake does not hide the others."""
-    class Recorder(Node):
+def start(trial: Trial, node_class: type[Node], text: str) -> Node:
+    """Start a node with a parameter file.
+
+    :raises NotYet: it does not start; with what the type of a value comes from.
+    """
+    try:
+        return trial.start_with_files(node_class, {'work.yaml': text}, '--params-file', 'work.yaml')
+    except NoStart as error:
+        found = re.search(r"of type '(\w+)', expecting type '(\w+)'", error.happened)
+        cause = CAUSES.get((found[2], found[1]), '') if found else ''
+        raise NotYet(error.expected, error.happened + (f'. {cause}' if cause else '')) from None
+
+
+# -- 7.1a: the reader's file -----------------------------------------------------------------------------------------
+
+TUNED = {'max_speed_mps': 0.8, 'stop_distance_m': 0.6, 'braking_mps2': 0.8}
+RATE_HZ = 20
+
+own = Exercise('7.1a', 'A file for your robot', CHAPTER, PACKAGE, hints=(
+    'Begin with the text of the dump. It has the name of your driver, and the values that you have set.',
+    'Two lines are about parameters of every rclpy node, `start_type_description_service` and `use_sim_time`. Take '
+    'them out.',
+    'The value of `rate_hz` is typed in, not tuned: `rate_hz: 20`, without a dot.'))
+
+
+def text_of(trial: Trial) -> str:
+    """Return what is in the reader's parameter file.
+
+    :raises NoUse: there is none.
+    """
+    files: PackageFiles = trial.work
+    if not files.path(FILE).exists():
+        raise NoUse(f'a file `{FILE}` in your package', 'there is none')
+    return files.text(FILE)
+
+
+def driver(trial: Trial) -> Node:
+    """Start a driver with the reader's file: ours, in which nothing but the file can be wrong.
+
+    :raises NoUse: it does not start.
+    """
+    try:
+        return start(trial, class_of(our_copy('6.2a') / NAME / 'driver_node.py'), text_of(trial))
+    except NotYet as error:
+        raise NoUse(error.expected, error.happened) from None
+
+
+@own.require(f'rcl can read `{FILE}`, and it is for `/driver`', see=FORMAT)
+def reaches_driver(trial: Trial) -> None:
+    expect_block(trial, text_of(trial), '/driver')
+
+
+@own.require('the driver starts with the three values that were tuned', see=FORMAT)
+def is_tuned(trial: Trial) -> None:
+    node = driver(trial)
+    for name, value in TUNED.items():
+        found = node.get_parameter(name).value
+        expect(found == value, f'`{name} = {value}`', f'it is `{found}`')
+
+
+@own.require(f'it starts with a `rate_hz` of {RATE_HZ}', see=FORMAT)
+def has_rate(trial: Trial) -> None:
+    found = driver(trial).get_parameter('rate_hz').value
+    expect(found == RATE_HZ, f'`rate_hz = {RATE_HZ}`', f'it is `{found}`')
+
+
+@own.require('the file holds these four, and nothing else', see=FORMAT)
+def holds_no_more(trial: Trial) -> None:
+    text_of(trial)
+    more = sorted(set(parameter_files.read(trial.work.path(FILE), '/driver')) - {*TUNED, 'rate_hz'})
+    expect(not more, 'no more than the parameters of your driver', 'there is also '
+           + ', '.join(f'`{each}`' for each in more))
+
+
+# -- 7.1b: its installation ------------------------------------------------------------------------------------------
+
+SHARE = f'share/{NAME}'
+
+installed = Exercise('7.1b', 'The package takes it along', CHAPTER, PACKAGE, hints=(
+    f"`data_files` has two pairs so far. Yours is the third: the folder, `'{SHARE}/config'`, and a list with one path.",
+    'The path begins in the folder of `setup.py`, and each pair ends with a comma: '
+    f"`('share/' + package_name + '/config', ['{FILE}']),`."))
+
+
+def installs(files: PackageFiles) -> dict[str, str]:
+    """Return what a package's ``setup.py`` has installed as data: each path in the install space, and its source.
+
+    The file runs as in a build, in its folder, and what it gives to ``setup`` is read.
+
+    :raises NoUse: it raises an exception, or gives nothing that can be installed.
+    """
+    given: dict[str, Any] = {}
+    recorder = types.ModuleType('setuptools')
+    recorder.__dict__.update(setup=lambda **words: given.update(words), find_packages=lambda *_, **__: [NAME])
+    before, folder = sys.modules.get('setuptools'), Path.cwd()
+    sys.modules['setuptools'] = recorder
+    os.chdir(files.root)
+    try:
+        exec(compile(files.text('setup.py'), 'setup.py', 'exec'), {'__name__': '__main__', '__file__': 'setup.py'})
+        return {f'{place}/{Path(source).name}': str(source)
+                for place, sources in given.get('data_files', ()) for source in _as_list(sources)}
+    except SyntaxError as error:
+        raise NoUse('a `setup.py` that Python can read', f'{error.msg}, in line {error.lineno}') from None
+    except (Exception, SystemExit) as error:
+        raise NoUse('a `setup.py` that runs to its end', describe_error(error)) from None
+    finally:
+        os.chdir(folder)
+        if before is None:
+            del sys.modules['setuptools']
+        else:
+            sys.modules['setuptools'] = before
+
+
+def _as_list(sources: Any) -> list[Any]:
+    if isinstance(sources, str):
+        raise NoUse('pairs of a folder and a list of files', f'`{sources}` is no list')
+    return list(sources)
+
+
+@installed.require('`setup.py` runs, and a build finds each file that it names', see=BACK)
+def is_found(trial: Trial) -> None:
+    missing = [each for each in installs(trial.work).values() if not trial.work.path(each).is_file()]
+    if missing:
+        raise NoUse('files of your package', f'there is no `{missing[0]}`')
+
+
+@installed.require(f'it installs `{FILE}` in `{SHARE}/config`', see=BACK)
+def is_installed(trial: Trial) -> None:
+    places = [place for place, source in installs(trial.work).items() if Path(source) == Path(FILE)]
+    expect(f'{SHARE}/{FILE}' in places, f'`{SHARE}/{FILE}`', f'it becomes `{places[0]}`' if places else
+           '`data_files` does not name it')
+
+
+@installed.require('it still installs the marker of the package, and `package.xml`', see=BACK)
+def keeps_others(trial: Trial) -> None:
+    places = installs(trial.work)
+    for each in (f'share/ament_index/resource_index/packages/{NAME}', f'{SHARE}/package.xml'):
+        expect(each in places, f'`{each}`', '`data_files` does not name it any more')
+
+
+# -- 7.1c: five traps ------------------------------------------------------------------------------------------------
+
+# Of the courier: each default, and the value that it should start with.
+GOALS: dict[str, tuple[Any, Any]] = {
+    'range_m': (5.0, 12.0),
+    'label': ('C-07', '1e5'),
+    'side': ('left', 'N'),
+    'codes': (['1e1'], ['2e5', '3e5']),
+    'stops': (['dock'], ['dock']),
+    'firmware': ([b'\x00'], [b'\x00']),
+}
+
+courier = Exercise('7.1c', 'Five traps', CHAPTER, TEXT, hints=(
+    'Two of the five can be in no file at all: bytes, and an array without elements. Take them out, with all their '
+    'lines.',
+    'To rcl, `2e5` is a number and `N` is a boolean. A list needs quotes around each element.'))
+
+
+def declares(name: str) -> type[Node]:
+    """Derive a courier that declares one of its parameters, so that one mistake does not hide the others."""
+    class Courier(Node):
         def __init__(self) -> None:
-            super().__init__('recorder')
-            self.declare_parameter(name, GOALS[name][0], ParameterDescriptor(read_only=name == 'serial_number'))
+            super().__init__('courier')
+            self.declare_parameter(name, GOALS[name][0])
 
-    return Recorder
-
-
-write = Exercise('7.1b', 'Write a file by hand', CHAPTER, TEXT, hints=(
-    'Let a node write it: `ParameterClient(...).dump()` of a node with values like these shows you the form and the '
-    'quotes.',
-    'The key is the fully qualified name of the node, with a colon. The second line is `ros__parameters:`, '
-    'indented by two spaces, and the parameters are indented by four. A dot in a name adds a level.',
-    'To rcl, `1.10` and `0042` are numbers and `on` is true, so these strings need quotes. The double needs its dot.'))
+    return Courier
 
 
-@write.require('rcl can read the file, and it is for `/lab/recorder`', see=FORMAT)
-def reaches_recorder(trial: Trial) -> None:
-    expect_block(trial, '/lab/recorder')
+@courier.require('rcl can read the file, and it is for `/courier`', see=FORMAT)
+def reaches_courier(trial: Trial) -> None:
+    expect_block(trial, trial.work, '/courier')
 
 
 def require_value(name: str, see: str) -> None:
-    """Add the requirement that the recorder starts with a value."""
+    """Add the requirement that the courier starts with a value."""
     default, goal = GOALS[name]
+    is_default = values.same(default, goal)
 
-    @write.require(f'`{name}` starts as the {values.type_of(goal).label} `{goal!r}`', see=see)
+    @courier.require(f'`{name}` starts as ' + (
+        'its default' if is_default else f'the {values.type_of(goal).label} `{goal!r}`'), see=see)
     def starts(trial: Trial) -> None:
-        try:
-            node = trial.start_with_files(recorder(name), {'recorder.yaml': trial.work},
-                                          '--params-file', 'recorder.yaml', namespace='/lab')
-        except NoStart as error:  # the other values may be right
-            types = re.search(r"of type '(\w+)', expecting type '(\w+)'", error.happened)
-            cause = CAUSES.get((types[2], types[1]), '') if types else ''
-            raise NotYet(error.expected, error.happened + (f'. {cause}' if cause else '')) from None
-        found = trial.client(node).get_parameter(name)
+        found = trial.client(start(trial, declares(name), trial.work)).get_parameter(name)
         expect(values.same(found, goal), f'`{goal!r}`', 'it has no value' if found is None else f'it is `{found!r}`' + (
             f', the default: the file has no `{name}`' if values.same(found, default) else ''))
 
 
-require_value('version', LOOKS_LIKE)
-require_value('mode', LOOKS_LIKE)
-require_value('rate_hz', FORMAT)
-require_value('gains.kp', FORMAT)
-require_value('channels', FORMAT)
-require_value('serial_number', BACK)
+for each in GOALS:
+    require_value(each, FORMAT if each == 'range_m' else NO_FILE if GOALS[each][0] == GOALS[each][1] else LOOKS_LIKE)
 
 
-def holder(name: str, **declared: object) -> type[Node]:
-    """Derive a node that declares parameters with defaults, or, without any, takes whatever it is started with."""
-    class Holder(Node):
-        def __init__(self) -> None:
-            super().__init__(name, automatically_declare_parameters_from_overrides=not declared)
-            for parameter, default in declared.items():
-                self.declare_parameter(parameter, default)
-
-    return Holder
-
-
-def start_value(text: str) -> object:
-    """Return the default of the same type."""
-    return ['dock'] if text == '[]' else 'old'
-
-
-def dumped(trial: Trial, text: str) -> str:
-    """Let a node hold a value, and ``ros2 param dump`` write its file."""
-    node = trial.start(holder('trip', value=start_value(text)))
-    trial.client(node).set_parameter('value', [] if text == '[]' else text).raise_for_reason()
-    return trial.ros2('param', 'dump', f'{CORNER}/trip')
-
-
-foresee = Exercise('7.1c', 'Predict what comes back', CHAPTER, DICTIONARY, hints=(
-    'Does the command put quotes around the string? It does if PyYAML would take it for something else. Then ask '
-    'what the reader makes of what is written there.',
-    'To rcl, `n` is a boolean and `2e3` is a number, and a string in quotes stays a string. `load` reads by the rules '
-    'of PyYAML, twice, and the first reading removes the quotes.',
-    'rcl turns an empty array into a parameter that is declared and has no value: `None`. If a node rejects a value, '
-    'the old one stays.'))
-
-
-def require_start(text: str, because: Mapping[object, str], see: str = LOOKS_LIKE) -> None:
-    """Add the requirement to know what a node holds that is started with a dump of a value.
-
-    :param text: The value; '[]' stands for the array.
-    """
-    @foresee.require_prediction(f'{text}: --params-file', see=see, because=because)
-    def holds(trial: Trial) -> Any:
-        reader = holder('trip', value=['dock']) if text == '[]' else holder('trip')
-        node = trial.start_with_files(reader, {'trip.yaml': dumped(trial, text)}, '--params-file', 'trip.yaml')
-        return trial.client(node).get_parameter('value')
-
-
-def require_load(text: str, because: Mapping[object, str], see: str = SECOND) -> None:
-    """Add the requirement to know what a node holds after ``ros2 param load`` of a dump of a value; as above."""
-    @foresee.require_prediction(f'{text}: load', see=see, because=because)
-    def holds(trial: Trial) -> Any:
-        file = dumped(trial, text)
-        node = trial.start(holder('trip', value=start_value(text)))
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder, 'trip.yaml')
-            path.write_text(file, encoding='utf-8')
-            trial.ros2('param', 'load', f'{CORNER}/trip', str(path))
-        return trial.client(node).get_parameter('value')
-
-
-EXPONENT = 'In YAML 1.1 an exponent needs a dot and a sign, so this is a string'
-
-require_start('n', {
-    'n': 'The command wrote it without quotes, and rcl has more words for false than PyYAML has'})
-require_load('n', {
-    False: 'To this reader it is a string, both times', 'old': 'The node accepts it: to this reader it is a string'})
-require_start('no', {
-    False: 'The command puts quotes around this one, and rcl respects them'})
-require_load('no', {
-    'no': 'Quotes do not survive the first of the two readings', False: 'The node rejects a boolean'})
-require_start('2e3', {
-    '2e3': f'{EXPONENT}, and the command writes no quotes. rcl takes it for a number', 2000: 'It is a double'})
-require_load('2e3', {'old': f'The node accepts it. {EXPONENT}', 2000.0: EXPONENT})
-require_start('[]', {
-    (): 'rcl cannot tell the type of an array without elements', ('dock',): 'The file takes the default away'}, NO_FILE)
-require_load('[]', {
-    (): 'To this reader an empty array is one of booleans, and the node wants strings',
-    None: 'What the node rejects takes nothing away'}, NO_FILE)
-
-
-light = Exercise('7.1a', 'Write a file for a lamp', CHAPTER, TEXT, hints=(
-    'Four levels: each line belongs to the nearest line above it that is indented less.',
-    'The node is at the left margin, below it `ros__parameters`, and below that the parameters. A dot in a name adds a '
-    'level: `color.red` is `red` below `color`.'))
-LAMP: dict[str, tuple[Any, Any]] = {'brightness_percent': (100, 60), 'color.red': (1.0, 0.5)}
-
-
-def lamp(*names: str) -> type[Node]:
-    """Derive the lamp that the file is for, with some of its parameters."""
-    class Lamp(Node):
-        def __init__(self) -> None:
-            super().__init__('lamp')
-            for name in names:
-                self.declare_parameter(name, LAMP[name][0])
-
-    return Lamp
-
-
-@light.require('rcl can read the file, and it is for `/lamp`', see=FORMAT)
-def reaches_lamp(trial: Trial) -> None:
-    expect_block(trial, '/lamp')
-
-
-def require_lamp(name: str) -> None:
-    """Add the requirement that the lamp starts with a value."""
-    default, value = LAMP[name]
-
-    @light.require(f'the lamp starts with a `{name}` of `{value!r}`', see=FORMAT)
-    def starts(trial: Trial) -> None:
-        try:
-            node = trial.start_with_files(lamp(name), {'lamp.yaml': trial.work}, '--params-file', 'lamp.yaml')
-        except NoStart as error:  # the other value may be right
-            raise NotYet(error.expected, error.happened) from None
-        found = trial.client(node).get_parameter(name)
-        expect(values.same(found, value), f'`{value!r}`', f'it is `{found!r}`' + (
-            f', the default: the file has no `{name}`' if values.same(found, default) else ''))
-
-
-for each in LAMP:
-    require_lamp(each)
-
-
-EXERCISES = (light, write, foresee)
+EXERCISES = (own, installed, courier)
