@@ -12,6 +12,7 @@ import hypothesis.strategies as st
 import pytest
 import yaml
 from hypothesis import example, given, settings
+from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 
 from param_tools import values
@@ -326,6 +327,22 @@ def test_an_empty_array_in_a_file_takes_the_type_of_the_parameter(ros, write):
     assert client.load(write('/**:\n  ros__parameters:\n    counts: []\n    texts: []\n')).successful
     types = client.get_parameter_types(['counts', 'texts'])
     assert types == {'counts': values.INTEGER_ARRAY, 'texts': values.STRING_ARRAY}
+
+
+class Locked(Node):
+    def __init__(self):
+        super().__init__('locked')
+        self.declare_parameter('serial', 'A', ParameterDescriptor(read_only=True))
+        self.declare_parameter('speed', 1)
+
+
+@pytest.mark.parametrize(('serial', 'kinds'), [('A', {'speed': 'accepted'}),
+                                               ('B', {'serial': 'read only', 'speed': 'accepted'})])
+def test_a_read_only_parameter_is_loaded_only_if_the_file_has_another_value(ros, write, serial, kinds):
+    client = ParameterClient(ros.add(Locked))
+    results = client.load(write(f'/locked:\n  ros__parameters:\n    serial: {serial}\n    speed: 2\n'))
+    assert {each.name: each.kind for each in results} == kinds
+    assert client.get_parameter('speed') == 2
 
 
 def test_a_bad_file_sets_nothing(ros, tmp_path):

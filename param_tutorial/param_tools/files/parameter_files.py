@@ -161,20 +161,18 @@ class Dump:
         return f'{self.text}(left out: {names}; dump.left_out says why)'
 
 
-def render(node: str, parameters: Mapping[str, Any], unwanted: Mapping[str, str] | None = None) -> Dump:
+def render(node: str, parameters: Mapping[str, Any]) -> Dump:
     """Write the parameters of a node as a parameter file.
 
     :param node: Fully qualified name of the node.
     :param parameters: Names and values, as ``values.normalize`` gives them.
-    :param unwanted: Names that are to be left out, and why.
     :return: The text, sorted by name, and what it leaves out: what rcl's parser could not read back with the
         same type and value.
     """
     left_out: dict[str, str] = {}
     written: dict[str, tuple[str, list[str]]] = {}
     for name, value in sorted(parameters.items()):
-        reason = (unwanted or {}).get(name) or why_not_expressible(name, value)
-        if reason:
+        if reason := why_not_expressible(name, value):
             left_out[name] = reason
         else:
             written[name] = _format_list(value) if isinstance(value, list) else (format_scalar(value), [])

@@ -289,12 +289,7 @@ class Parser:
             self.in_sequence, self.expects_key = False, True
             if not self.in_parameters:
                 self._leave_node_key()
-            elif self.assignment is not None:
-                # A list in the block form ends where the next thing begins.
-                inner = self.assignment.scalars[-1].place.end if self.assignment.scalars else 0
-                end = max(place.end if place.end > place.start else 0, inner)
-                start = self.assignment.place
-                self.assignment.place = Place(start.line, start.column, start.start, end)
+            else:
                 self.assignment = None
         elif isinstance(event, yaml.MappingStartEvent):
             self.depth += 1

@@ -26,7 +26,6 @@ from param_tools import values
 from param_tools.descriptor import Descriptor, Descriptors, Range, is_housekeeping
 from param_tools.errors import InvalidValueError, ParameterNotDeclaredError, ParameterRejectedError, nearest
 from param_tools.files import parameter_files
-from param_tools.files.editing import update_file
 from param_tools.node.reference import Reference, reference_of
 from param_tools.ros import stage
 from param_tools.ros.executor import BackgroundExecutor
@@ -343,29 +342,24 @@ class ParameterClient:
         """Ask the node to undeclare parameters, each for itself: in ROS, setting one to "not set" deletes it."""
         return self.set_parameters(dict.fromkeys(_listed(names)))
 
-    def dump(self, path: str | Path | None = None, *, skip_read_only: bool = False) -> parameter_files.Dump:
+    def dump(self, path: str | Path | None = None) -> parameter_files.Dump:
         """Write the node's parameters as a parameter file that ``--params-file`` and ``load`` read back.
 
         :param path: Where to write it; by default nowhere. An existing file is replaced as a whole, or not at all.
-        :param skip_read_only: Leave read-only parameters out: a running node would reject other values for them.
         :return: The text, and which parameters no file can hold (``left_out``), with the reason.
         :raises OSError: the file cannot be written.
         """
-        present = self.get_parameters()
-        descriptors = self.describe_parameters(present) if skip_read_only else {}
-        dump = parameter_files.render(self.node, present, {name: 'it is read-only' for name, each in descriptors.items()
-                                                 if each.read_only})
+        dump = parameter_files.render(self.node, self.get_parameters())
         if path is not None:
             dump.save(path)
         return dump
 
-    def load(self, path: str | Path, *, atomically: bool = False, skip_read_only: bool = False) -> SetResults:
+    def load(self, path: str | Path, *, atomically: bool = False) -> SetResults:
         """Set the parameters that a file holds for this node, read with the rules of rcl's own parser.
 
         Read-only parameters that have the file's value already are passed over: every dump holds some.
 
         :param atomically: All or none.
-        :param skip_read_only: Pass over all read-only parameters; otherwise one with another value is rejected.
         :raises ParameterFileError: the file cannot be read, or holds nothing for this node; nothing was set.
         """
         new = parameter_files.read(path, self.node)
@@ -373,20 +367,8 @@ class ParameterClient:
         known = [name for name in new if name in existing]
         present, descriptors = self.get_parameters(known), self.describe_parameters(known)
         new = {name: value for name, value in new.items()
-               if not (name in existing and descriptors[name].read_only
-                       and (skip_read_only or values.same(present[name], value)))}
+               if not (name in existing and descriptors[name].read_only and values.same(present[name], value))}
         return self.set_parameters_atomically(new) if atomically else self.set_parameters(new)
-
-    def update_file(self, path: str | Path, names: Iterable[str] | None = None) -> list[str]:
-        """Write the node's values into a parameter file that somebody wrote by hand; comments and order stay.
-
-        :param names: Which parameters; by default those that the file holds for this node.
-        :return: The names whose values have changed in the file.
-        :raises ParameterFileError: the file cannot be read or changed; it is then as it was.
-        :raises ParameterNotDeclaredError: the node has no parameter of one of these names.
-        """
-        wanted = list(parameter_files.read(path, self.node)) if names is None else _listed(names)
-        return update_file(path, self.node, self.get_parameters(wanted))
 
     # ---------------------------------------------------------------------------------------------------
 
