@@ -140,7 +140,8 @@ def test_chapter_2_begins_with_nothing_and_leaves_a_package_alone_that_is_furthe
     first.close()
 
 
-def test_an_editor_of_another_file_says_that_it_is_saved(package):
+def test_an_editor_of_another_file_says_that_it_is_saved_or_not_there_yet(package):
+    assert package.status('config/my_robot.yaml').words == 'There is no config/my_robot.yaml yet.'
     with closing(package.edit('package.xml')) as editor:
         editor.save(editor.text.replace('wall', 'door'))
         assert 'a door' in editor.text

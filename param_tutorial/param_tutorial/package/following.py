@@ -210,7 +210,8 @@ class FollowedPackage:
 
     def status(self, name: str = 'driver_node.py') -> Status:
         """Return what became of a file when it was run last."""
-        return next((each.status for each in self._programs if each.name == name), Status('Saved.'))
+        return next((each.status for each in self._programs if each.name == name),
+                    Status('Saved.' if self.files.text(name) else f'There is no {name} yet.'))
 
     @property
     def statuses(self) -> list[Status]:
