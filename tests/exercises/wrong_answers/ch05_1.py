@@ -24,9 +24,9 @@ WRONG = {
     ],
     '5.1c': [
         ([('/driver max_speed_mps', '/driver max_sped_mps')], 3, 'Is its name spelled as the driver spells it?'),
-        ([('stop_distance_m 1.5', 'stop_distance_m 1,5')], 3, 'Which type did the rejection name?'),
-        ([('wall_m 50.0', 'wall_m 50')], 3, 'The rejection names both ends of the range'),
-        ([('/base command', '/bass command')], 3, 'Is the node spelled as `node list` spells it?'),
+        ([('stop_distance_m 1.5', 'stop_distance_m 1,5')], 3, 'Which type, or which limit, did the rejection name?'),
+        ([('wall_m 50.0', 'wall_m 50')], 3, 'A rejection names both ends of the range, or both types'),
+        ([('/base command', '/bass command')], 3, 'Is the node spelled as `node list` spells it'),
         ([('wall_m 50.0', 'wall_m 49.9')], 3, 'it is `49.9`'),
     ],
     '5.1d': [

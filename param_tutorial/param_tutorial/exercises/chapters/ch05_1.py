@@ -95,9 +95,10 @@ fix = Exercise('5.1c', 'Four lines that fail', CHAPTER, PACKAGE, hints=(
     'word.',
     '`%ros2 param describe /base wall_m` shows how far away the wall can be.'))
 require_value(fix, driver_of, 'max_speed_mps', 1.0, REJECTIONS, 'Is its name spelled as the driver spells it?')
-require_value(fix, driver_of, 'stop_distance_m', 1.5, REJECTIONS, 'Which type did the rejection name?')
-require_value(fix, base_of, 'wall_m', 50.0, REJECTIONS, 'The rejection names both ends of the range')
-require_value(fix, base_of, 'command_timeout_sec', 1.0, REJECTIONS, 'Is the node spelled as `node list` spells it?')
+require_value(fix, driver_of, 'stop_distance_m', 1.5, REJECTIONS, 'Which type, or which limit, did the rejection name?')
+require_value(fix, base_of, 'wall_m', 50.0, REJECTIONS, 'A rejection names both ends of the range, or both types')
+require_value(fix, base_of, 'command_timeout_sec', 1.0, REJECTIONS,
+              'Is the node spelled as `node list` spells it, and the value as a double?')
 
 
 file = Exercise('5.1d', 'A file for both', CHAPTER, TEXT, hints=(
