@@ -79,9 +79,7 @@ class TestChapters10And11(Answers):
 @pytest.mark.rare
 @pytest.mark.filterwarnings('ignore:Callback returned an invalid type')
 @pytest.mark.parametrize(('number', 'replacements'), [
-    ('7.2b', [("'enable_safety_mode': True", "'enable_safety_mode': False"),
-              ("LaunchConfiguration('max_speed_rpm')", '180'),
-              ("ParameterValue(LaunchConfiguration('serial'), value_type=str)", "'SN-CLAW-001'")]),
+    ('7.2c', [("'params_file'", "'param_file'")]),
     ('7.3c', [('40', '4')]),
     ('8b', [("'belt.speed_mps', 0.0", "'belt.speed_mps', 0")]),
     ('8a', [("'fan.speed', 0.5", "'fan.speed', 1")]),

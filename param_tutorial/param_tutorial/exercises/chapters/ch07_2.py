@@ -1,44 +1,42 @@
-"""Exercises of chapter 7.2: fill in what a launch file says, complete a launch file, and predict what a robot starts
-with."""
+"""Exercises of chapter 7.2: a launch file for the reader's driver, what a build installs of it, and its argument.
 
-import ast
+A check works on a copy of the package with other values in its parameter file: what a launch file says itself, or takes
+from a path on this computer, comes to light.
+"""
+
 import contextlib
 import itertools
-import shlex
+import os
+import re
+import shutil
+import sys
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any, NamedTuple
+from xml.etree import ElementTree
 
-import yaml
+from rclpy.node import Node
 
-from param_tools.cli.index import share_folder_of
 from param_tools.cli.launch.actions import LaunchDescription
 from param_tools.cli.launch.context import Context, LaunchFailed
 from param_tools.cli.launch.processes import Program
 from param_tools.cli.launch.reading import load_description
-from param_tools.errors import WaitTimeoutError
-from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
-from param_tutorial.exercises.expectations import expect_no_gap
-from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect, take_for_granted
-from param_tutorial.nodes.simple_param_node import SimpleParamNode
-from param_tutorial.notebook.terminal import Terminal
+from param_tools.ros.environment import PACKAGE_IN_WORK
+from param_tutorial.exercises.exercise import Exercise
+from param_tutorial.exercises.steps import PACKAGE, class_of
+from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect, take_for_granted
+from param_tutorial.learner.package_files import NAME, PackageFiles
 
 CHAPTER = '07_2_launch_files'
-SEE = 'See it'
-READ = 'Read it'
-VALUES = 'Change it: values in the launch file'
-ARGUMENTS = 'Change it: arguments'
-NOT_INSTALLED = 'Break it: a package of your own'
-SOMEBODY_ELSE = 'Break it: a robot of another name'
-FILE_NAME = 'my_launch.py'
-
-
-class Reckless(SimpleParamNode):
-    """The robot with its safety mode off by default, which tells a mode that is set from one that is left alone."""
-
-    def declare_parameter(self, name: str, value: Any = None, *args: Any, **options: Any) -> Any:
-        return super().declare_parameter(name, False if name == 'enable_safety_mode' else value, *args, **options)
+TYPES = 'The command line that a launch types'
+BUILD = 'What a build installs'
+ARGUMENT = 'The file as an argument'
+LAUNCH, CONFIG = 'launch/my_robot_launch.py', 'config/my_robot.yaml'
+SPEED, STOP = 'max_speed_mps', 'stop_distance_m'
+# What the parameter file of the copy says, and another one, for a launch with an argument.
+IN_PACKAGE, GIVEN = {SPEED: 0.65, STOP: 0.75}, {SPEED: 0.35, STOP: 0.45}
 
 
 class Launched(NamedTuple):
@@ -48,42 +46,78 @@ class Launched(NamedTuple):
     """What follows ``--ros-args``; a parameter file by its name in ``files``."""
     files: dict[str, str]
     """The text of each parameter file."""
+    warnings: list[str]
+    """What the launch warns of."""
     arguments: list[str]
     """The names of the arguments that the launch file declares."""
 
-    def start(self, trial: Trial, node_class: type[SimpleParamNode] = SimpleParamNode) -> SimpleParamNode:
-        """Put the robot on the stage, in the corner.
+    def start(self, trial: Trial) -> Node:
+        """Put the driver on the stage, in the corner.
 
         :raises NoStart: it does not start.
         """
+        driver = class_of(trial.work.path('driver_node.py'))
         namespace = next((word.partition(':=')[2] for word in self.words if word.startswith('__ns:=')), '')
-        return trial.start_with_files(node_class, self.files, *self.words, namespace=namespace.rstrip('/'))
+        return trial.start_with_files(driver, self.files, *self.words, namespace=namespace.rstrip('/'))
 
 
-def launch(trial: Trial, text: str, **arguments: str) -> Launched:
+def parameter_file(values: Mapping[str, float]) -> str:
+    """Return the text of a parameter file for the driver."""
+    return '\n'.join(['/driver:', '  ros__parameters:', *(f'    {name}: {value}' for name, value in values.items())])
+
+
+@contextlib.contextmanager
+def copied(files: PackageFiles) -> Iterator[Path]:
+    """Yield a copy of the reader's package, in which commands find it, with a parameter file of ours."""
+    with tempfile.TemporaryDirectory(prefix='param_tutorial_') as folder:
+        root = Path(folder, NAME)
+        shutil.copytree(files.root, root, ignore=shutil.ignore_patterns('__pycache__'))
+        (root / CONFIG).parent.mkdir(exist_ok=True)
+        (root / CONFIG).write_text(parameter_file(IN_PACKAGE), encoding='utf-8')
+        # A build of the package that has been sourced would come first.
+        wanted = {PACKAGE_IN_WORK: str(root), 'AMENT_PREFIX_PATH': ''}
+        before = {name: os.environ.get(name) for name in wanted}
+        os.environ.update(wanted)
+        try:
+            yield root
+        finally:
+            for name, value in before.items():
+                os.environ.pop(name)
+                if value is not None:
+                    os.environ[name] = value
+
+
+def launch(trial: Trial, given: str | None = None) -> Launched:
     """Work out what ``ros2 launch`` would start.
 
-    :param text: Of the launch file; it has to start the robot, and nothing else.
-    :param arguments: Of the launch file.
-    :raises NoUse: it cannot be carried out, or starts something else.
+    :param given: The text of a parameter file for the argument ``params_file``; empty for one that is not there.
+    :raises NotYet: it cannot be carried out.
+    :raises NoUse: there is no launch file, or it starts something else than the driver.
     """
-    expect_no_gap(names=_gaps(text))
-    with tempfile.TemporaryDirectory(prefix='param_tutorial_') as folder:
-        path = Path(folder, FILE_NAME)
-        path.write_text(text, encoding='utf-8')
+    if not trial.work.text(LAUNCH).strip():
+        raise NoUse(f'a file `{LAUNCH}` in your package', 'there is none, or nothing in it')
+    with copied(trial.work) as root:
+        arguments, warnings = {}, []
+        if given is not None:
+            path = root / 'given.yaml'
+            arguments['params_file'] = str(path)
+            if given:
+                path.write_text(given, encoding='utf-8')
 
         def work_out() -> tuple[LaunchDescription, list[Program]]:
-            description = load_description(path)
-            return description, description.execute(Context(dict(arguments), Path(folder)))
+            description = load_description(root / LAUNCH)
+            context = Context(dict(arguments), root, log=lambda level, _, text: warnings.append(text)
+                              if level == 'WARNING' else None)
+            return description, description.execute(context)
 
         try:
             description, found = trial.call('the launch file', work_out)
         except NotYet as error:
-            raise NoUse('a launch file that `ros2 launch` can run',
-                        error.happened.replace(f'{folder}/', '').removeprefix(f'{LaunchFailed.__name__}: ')) from None
-        if [program.name for program in found] != ['simple_param_node']:
+            raise NotYet('a launch file that `ros2 launch` can run', error.happened.replace(
+                f'{root}/', '').removeprefix(f'{LaunchFailed.__name__}: ')) from None
+        if [program.name for program in found] != ['driver_node']:
             names = ', '.join(f'`{program.name}`' for program in found) or 'nothing'
-            raise NoUse('a launch file that starts the robot, `simple_param_node`, once', f'it starts {names}')
+            raise NoUse('a launch file that starts `driver_node`, once', f'it starts {names}')
         command = found[0].command
         words = command[command.index('--ros-args') + 1:]
         paths = [word for option, word in itertools.pairwise(words) if option == '--params-file']
@@ -94,196 +128,149 @@ def launch(trial: Trial, text: str, **arguments: str) -> Launched:
         short = {path: f'{position}.yaml' for position, path in enumerate(paths)}
         return Launched([short.get(word, word) for word in words],
                         {name: Path(path).read_text(encoding='utf-8') for path, name in short.items()},
+                        [each.replace(f'{root}/', '') for each in warnings],
                         [each.declaration.name for each in description.declared_arguments()])
 
 
-def _gaps(text: str) -> list[str]:
-    """Return the arguments, and the keys of dictionaries, whose value is still an ellipsis."""
-    try:
-        nodes = list(ast.walk(ast.parse(text)))
-    except (SyntaxError, ValueError):
-        return []  # reading the launch file says so
-    pairs = [(each.arg, each.value) for each in nodes if isinstance(each, ast.keyword)]
-    for each in nodes:
-        if isinstance(each, ast.Dict):
-            pairs += [(getattr(key, 'value', None), value) for key, value in zip(each.keys, each.values, strict=True)]
-    return [f'`{name}`' for name, value in pairs if isinstance(value, ast.Constant) and value.value is ...]
+def expect_start(trial: Trial, values: Mapping[str, float], because: str, given: str | None = None) -> None:
+    """Expect the driver to start with some values.
 
-
-complete = Exercise('7.2b', 'Complete a launch file', CHAPTER, TEXT, hints=(
-    '`parameters` is a list: first the file, then what covers it. The chapter’s three launch files contain all that '
-    'you need. `print((launch_files / "argument_param_launch.py").read_text())` shows one of them.',
-    'The file: `PathJoinSubstitution([FindPackageShare("param_tutorial"), "config", "clawbot_config.yaml"])`. The '
-    'values: a dictionary after it, in which `LaunchConfiguration("max_speed_rpm")` stands for the argument.',
-    'Declare each argument before the node: `DeclareLaunchArgument(name, default_value=...)`. To keep a string that '
-    'may look like a number: `ParameterValue(LaunchConfiguration("serial"), value_type=str)`.'))
-
-
-def starts(trial: Trial, node_class: type[SimpleParamNode] = SimpleParamNode, **arguments: str) -> SimpleParamNode:
-    """Start the robot of the learner's launch file."""
-    words = ''.join(f' {argument}:={given}' for argument, given in arguments.items())
-    try:
-        return launch(trial, trial.work, **arguments).start(trial, node_class)
-    except NoStart as error:
-        if not arguments:
-            raise  # what dies without arguments dies in each requirement
-        raise NotYet(f'the robot starts with `{words.strip()}`',
-                     f'{error.happened}. A launch reads the string of an argument as YAML') from None
-
-
-def config() -> Any:
-    """Return what the course's file holds."""
-    return yaml.safe_load((share_folder_of('param_tutorial') / 'config' / 'clawbot_config.yaml').read_text())
-
-
-def expect_holds(trial: Trial, name: str, value: object, because: str = '', **arguments: str) -> None:
-    """Expect the robot to start with a value.
-
-    :param because: What to think of when it starts with another one.
+    :param because: What to think of if it starts with others.
+    :param given: As in ``launch``.
     """
-    words = ' '.join(f'{argument}:={given}' for argument, given in arguments.items())
-    found = starts(trial, SimpleParamNode, **arguments).get_parameter(name).value
-    expect(type(found) is type(value) and found == value,
-           f'`{name}` is `{value!r}`' + (f' with `{words}`' if words else ' without arguments'),
-           f'it is `{found!r}`' + (f'. {because}' if because else ''))
+    launched = launch(trial, given)
+    driver = launched.start(trial)
+    for name, value in values.items():
+        found = driver.get_parameter(name).value
+        remark = '. '.join(['', *launched.warnings]) or f'. {because}'
+        expect(found == value, f'`{name}` is {value!r}, as the file says that the check has put there',
+               f'it is {found!r}{remark}')
 
 
-def expect_covered(trial: Trial, name: str, because: str) -> None:
-    """Expect the launch file to give a parameter another value than the course's file does.
+def require_start(exercise: Exercise) -> None:
+    """Add the requirement that the launch file starts the driver."""
+    @exercise.require('`ros2 launch` can run the file, which starts your driver, once', see=TYPES)
+    def starts(trial: Trial) -> None:
+        try:
+            launch(trial).start(trial)
+        except NotYet as error:
+            raise NoUse(error.expected, error.happened) from None
 
-    :raises NotTried: the file covers the safety mode, too, and the requirement for that says so.
+
+write = Exercise('7.2a', 'Your launch file', CHAPTER, PACKAGE, hints=(
+    'It has the same shape as `words_launch.py`: two imports, the function, and in its list one `Node`. This one has a '
+    '`package` and an `executable`, as after `ros2 run`, a `name`, and `parameters`.',
+    "`parameters=[PathJoinSubstitution([FindPackageShare('my_robot'), 'config', 'my_robot.yaml'])]`. The first class "
+    'comes from `launch.substitutions`, the second from `launch_ros.substitutions`.'))
+
+require_start(write)
+
+
+@write.require(f'it starts with what `{CONFIG}` says', see=TYPES)
+def has_values(trial: Trial) -> None:
+    expect_start(trial, IN_PACKAGE, f'The check has put another `{CONFIG}` into a copy of your package. Does the '
+                 'launch file name it, is the node called `driver`, and does no later source say something else?')
+
+
+install = Exercise('7.2b', 'What your package installs', CHAPTER, PACKAGE, hints=(
+    'An entry of `data_files` is a pair: the folder in the install space, and a list of files in your package. The '
+    'entry for `config` shows it.',
+    "`('share/' + package_name + '/launch', ['launch/my_robot_launch.py']),` is the new line in `setup.py`, and "
+    '`<exec_depend>ros2launch</exec_depend>` the one in `package.xml`.'))
+
+
+def installed(trial: Trial) -> dict[str, Path]:
+    """Return what `data_files` installs: the path in the install space, and the file in the package.
+
+    Nothing is built, so it works in a page, too.
+
+    :raises NoUse: `setup.py` cannot be run.
     """
-    in_file = config()['/simple_param_node']['ros__parameters'][name]
-    found = starts(trial).get_parameter(name).value
-    if found == in_file:
-        take_for_granted(trial, override_arrives)
-    expect(found != in_file, f'a value for `{name}` that covers the file’s', f'it is still `{found!r}`. {because}')
+    files: PackageFiles = trial.work
+    calls: list[dict[str, Any]] = []
+    setuptools: Any = SimpleNamespace(setup=lambda **options: calls.append(options), find_packages=lambda **_: [NAME])
+    before, folder = sys.modules.get('setuptools'), Path.cwd()
+    sys.modules['setuptools'] = setuptools
+    os.chdir(files.root)  # as in a build, for `glob`
+    try:
+        trial.call('it', lambda: exec(compile(files.text('setup.py'), 'setup.py', 'exec'), {'__name__': '__main__'}))
+        found = {f'{target}/{Path(each).name}': files.root / each
+                 for target, sources in calls[0].get('data_files', ()) for each in sources}
+    except NotYet as error:
+        raise NoUse('a `setup.py` that Python can run', error.happened) from None
+    except (IndexError, TypeError, ValueError):
+        raise NoUse('`data_files` with pairs of a folder and a list of files', 'one of them is none') from None
+    finally:
+        os.chdir(folder)
+        sys.modules.pop('setuptools')
+        if before:
+            sys.modules['setuptools'] = before
+    missing = [f'`{each.relative_to(files.root)}`' for each in found.values() if not each.is_file()]
+    if missing:
+        raise NoUse('entries in `data_files` for files that are there', f'there is no {", ".join(missing)}')
+    return found
 
 
-@complete.require('the robot starts, and has its name from `clawbot_config.yaml`', see=READ)
-def file_arrives(trial: Trial) -> None:
-    starts(trial)
-    found = launch(trial, trial.work)
-    expect(config() in [yaml.safe_load(text) for text in found.files.values()], 'the robot gets this file',
-           'it gets no such file. Is it in the list, and is its path right?')
-    expect_holds(trial, 'robot_name', 'AlphaClaw', 'Is the file for a node of this name, and does nothing cover it?')
+def expect_installed(trial: Trial, name: str) -> None:
+    """Expect a file of the package to be installed where a launch looks for it."""
+    found = {target for target, path in installed(trial).items() if path == trial.work.root / name}
+    expect(f'share/{NAME}/{name}' in found, f'`share/{NAME}/{name}` in the install space',
+           'it goes to ' + ', '.join(f'`{each}`' for each in sorted(found)) if found
+           else f'no entry of `data_files` has `{name}`')
 
 
-@complete.require('its safety mode is on, whatever the file says', see=VALUES)
-def override_arrives(trial: Trial) -> None:
-    found = starts(trial, Reckless).get_parameter('enable_safety_mode').value
-    expect(found, '`enable_safety_mode` is `True`, and does not depend on the default',
-           f'it is `{found!r}`. Of these two sources, the later one wins')
-    for argument in launch(trial, trial.work).arguments:
-        with contextlib.suppress(NotYet):  # what else the word does to the robot is not asked here
-            found = starts(trial, Reckless, **{argument: 'false'}).get_parameter('enable_safety_mode').value
-        expect(found, 'the safety mode is always on', f'with `{argument}:=false` it is off')
+@install.require('`setup.py` installs your launch file, and still your parameter file', see=BUILD)
+def installs_both(trial: Trial) -> None:
+    for name in (LAUNCH, CONFIG):
+        expect_installed(trial, name)
 
 
-@complete.require('its speed is 90 rpm, and 60 with `max_speed_rpm:=60`', see=ARGUMENTS)
-def speed_arrives(trial: Trial) -> None:
-    expect_covered(trial, 'max_speed_rpm', 'Is there a value for it, and does it come after the file?')
-    expect_holds(trial, 'max_speed_rpm', 90, 'Does the argument have this default, and is it used?')
-    for speed in (60, 245):
-        expect_holds(trial, 'max_speed_rpm', speed, 'Is the argument used?', max_speed_rpm=str(speed))
+@install.require('`package.xml` says that your package needs `ros2launch` when it runs', see=BUILD)
+def names_launch(trial: Trial) -> None:
+    try:
+        root = ElementTree.fromstring(trial.work.text('package.xml').encode())
+    except ElementTree.ParseError as error:
+        raise NotYet('a `package.xml` that can be read', str(error)) from None
+    named = {(each.text or '').strip(): tag for tag in ('test_depend', 'build_depend', 'depend', 'exec_depend')
+             for each in root.findall(tag)}
+    expect({'depend', 'exec_depend'} & {named.get('ros2launch'), named.get('launch_ros')},
+           '`<exec_depend>ros2launch</exec_depend>`', f'it is a `<{named["ros2launch"]}>`, which says something else'
+           if 'ros2launch' in named else 'there is none')
 
 
-@complete.require('its serial number is `SN-1`, and `0042` with `serial:=0042`', see=ARGUMENTS)
-def serial_arrives(trial: Trial) -> None:
-    expect_covered(trial, 'robot_serial_number', 'The parameter is called `robot_serial_number`, and its value has to '
-                                                 'come after the file')
-    expect_holds(trial, 'robot_serial_number', 'SN-1', 'Does the argument have this default, and is it used?')
-    for serial in ('0042', 'on', 'B 7'):
-        expect_holds(trial, 'robot_serial_number', serial, 'Is the argument used, and does it stay a string?',
-                     serial=serial)
+take = Exercise('7.2c', 'Any file', CHAPTER, PACKAGE, hints=(
+    'Two things change: a `DeclareLaunchArgument` stands before the node, and your path becomes its `default_value`. '
+    "In `parameters`, `LaunchConfiguration('params_file')` takes its place.",
+    "`parameters=[ParameterFile(LaunchConfiguration('params_file'), allow_substs=True)]`, with `ParameterFile` from "
+    '`launch_ros.parameter_descriptions`.'))
+
+require_start(take)
 
 
-@complete.require('`ros2 launch` starts it, in a process of its own', see=SEE)
-def runs(trial: Trial) -> None:
-    take_for_granted(trial, file_arrives, override_arrives, speed_arrives, serial_arrives)
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder, FILE_NAME)
-        path.write_text(trial.work, encoding='utf-8')
-        # The robot must neither see nor be seen by a learner's own of the same name.
-        terminal = Terminal(shlex.join(['ros2', 'launch', str(path), 'serial:=0042']),
-                            variables={'ROS_AUTOMATIC_DISCOVERY_RANGE': 'OFF'})
+@take.require(f'without an argument, it starts with what `{CONFIG}` says', see=ARGUMENT)
+def has_default(trial: Trial) -> None:
+    expect_start(trial, IN_PACKAGE, 'Is your file the `default_value` of the argument?')
+
+
+@take.require('with `params_file:=…`, it starts with what that file says', see=ARGUMENT)
+def takes_file(trial: Trial) -> None:
+    arguments = launch(trial).arguments
+    expect('params_file' in arguments, 'an argument `params_file`, which the launch file declares',
+           'it declares ' + (', '.join(f'`{each}`' for each in arguments) or 'none'))
+    expect_start(trial, GIVEN, 'Does `parameters` take the file from the argument?', parameter_file(GIVEN))
+
+
+@take.require('a file that is not there ends the launch', see=ARGUMENT)
+def rejects_missing(trial: Trial) -> None:
+    take_for_granted(trial, takes_file)
+    with contextlib.suppress(NoUse):
         try:
-            said = terminal.read(until='robot_serial_number: 0042', timeout_sec=60.0)
-        except WaitTimeoutError:
-            last = (terminal.text.strip() or 'nothing').splitlines()[-1]
-            raise NotYet('the robot logs its parameters in the terminal', f'the last line is: {last}') from None
-        finally:
-            terminal.interrupt()
-    expect('max_speed_rpm: 90' in said, 'it logs `max_speed_rpm: 90`', 'it does not')
+            launched = launch(trial, '')
+        except NotYet as error:
+            if re.search('No such file', error.happened):
+                return
+            raise
+    raise NotYet('an error', 'the launch only warns: ' + (launched.warnings or ['or not even that'])[0])
 
 
-HEAD = """
-from launch import LaunchDescription
-from launch.substitutions import PathJoinSubstitution
-from launch_ros.actions import Node
-from launch_ros.substitutions import FindPackageShare
-
-config = PathJoinSubstitution([FindPackageShare('param_tutorial'), 'config', 'clawbot_config.yaml'])
-
-
-def generate_launch_description():
-    return LaunchDescription([Node(package='param_tutorial', executable='simple_param_node', {words})])
-"""
-
-foresee = Exercise('7.2c', 'Predict the start', CHAPTER, DICTIONARY, hints=(
-    'Ask three questions about each line. Is the file there? Is it for a node of this name? Does a later source win?',
-    'A missing file is only a warning, and a file for another node is ignored without one. In both cases the default '
-    'stays.',
-    'A dictionary in a launch file holds Python values, and a string stays a string. ROS converts nothing.'))
-
-
-def require_foresight(words: str, because: Mapping[object, str], see: str) -> None:
-    """Add the requirement to know the speed of a robot that is started with these words in its ``Node``."""
-    @foresee.require_prediction(words, see=see, because=because, word='dead')
-    def speed(trial: Trial) -> Any:
-        try:
-            robot = launch(trial, HEAD.replace('{words}', words)).start(trial)
-            return robot.get_parameter('max_speed_rpm').value
-        except NoStart:
-            return 'dead'
-
-
-require_foresight('parameters=[config]', {100: 'The file is for `/simple_param_node`'}, READ)
-require_foresight("parameters=[config, {'max_speed_rpm': 200}]", {180: 'Which source is the later one?'}, VALUES)
-require_foresight("parameters=[{'max_speed_rpm': 200}, config]", {
-    200: 'Which source is the later one?'}, VALUES)
-require_foresight("parameters=[config], name='berta'", {
-    180: 'Which node is the file for?', 'dead': 'Nothing complains, and that is the trouble'}, SOMEBODY_ELSE)
-require_foresight("parameters=['clawbot_confg.yaml']", {
-    'dead': 'A missing file is a warning, not an error', 180: 'Look at the name of the file'}, NOT_INSTALLED)
-require_foresight("parameters=[{'max_speed_rpm': '200'}]", {
-    200: 'There are quotes around it', '200': 'ROS converts nothing',
-    100: 'A start value of the wrong type is not ignored'}, ARGUMENTS)
-require_foresight("parameters=[config, {'max_speed': 200}]", {
-    200: 'Is there a parameter of that name?', 'dead': 'A value for an undeclared parameter is ignored'}, VALUES)
-
-
-fill = Exercise('7.2a', 'Fill four gaps', CHAPTER, TEXT, hints=(
-    'The first two gaps are what you type after `ros2 run`: a package, and an executable in it. The robot is '
-    '`simple_param_node` in `param_tutorial`.',
-    '`parameters` is a list. A dictionary in it holds Python values, so the name needs quotes and the speed does not.'))
-
-
-@fill.require('the robot starts', see=READ)
-def filled_starts(trial: Trial) -> None:
-    launch(trial, trial.work).start(trial)
-
-
-def require_filled(name: str, value: object) -> None:
-    """Add the requirement that the robot starts with a value."""
-    @fill.require(f'`{name}` is `{value!r}`', see=VALUES)
-    def holds(trial: Trial) -> None:
-        found = launch(trial, trial.work).start(trial).get_parameter(name).value
-        expect(found == value, f'`{value!r}`', f'it is `{found!r}`')
-
-
-require_filled('max_speed_rpm', 150)
-require_filled('robot_name', 'Berta')
-
-
-EXERCISES = (fill, complete, foresee)
+EXERCISES = (write, install, take)

@@ -1,4 +1,4 @@
-"""Predictions of chapter 7.2: what a launch file starts, and with which values."""
+"""Predictions of chapter 7.2: what a launch types, what a build installs, and which values arrive."""
 
 from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
@@ -10,58 +10,54 @@ RECALLS = (
         wrong('parameters:', 'That is the word in a launch file. In a parameter file it is `ros__parameters:`.'),
         wrong('nothing at all', 'rcl rejects such a file. There has to be a level `ros__parameters:` in between.')),
            chapter='7.1', section='The format'),
-    Recall('7.2-r2', 'A node declares `max_speed_rpm` with the default 100, and you start it with '
-           '`-p max_speed_rpm:=120`. What does it read in its constructor, right after the declaration?', (
-        right('120', 'The override replaces the default in the declaration itself.'),
-        wrong('100', 'The override replaces the default while the parameter is being declared. There is no later.')),
-           otherwise='It reads 120. The override replaces the default in the declaration itself.',
-           chapter='4', section='Which value does a node start with?'),
+    Recall('7.2-r2', 'You edit your program in `src`, and start it with `ros2 run` in a terminal that has sourced the '
+           'workspace. Which code runs?', (
+        wrong('that of the edited file', 'The file in `src` is what you edit. What runs is its copy in the install '
+              'space, until you build again.'),
+        right('that of the last build', 'What runs is the copy in the install space, and a build replaces it.')),
+           chapter='2', section='Edit it, and run it'),
 )
 
 PREDICTIONS = (
-    Prediction('7.2-1', 'The file says AlphaClaw, 180 rpm, safety off. The dictionary after it says 200 rpm, safety '
-               'on. The defaults are Clawbot, 100 rpm, safety on. How does the robot start?', (
-        wrong('Clawbot, 200 rpm, safety on', 'A dictionary does not replace the file. Each parameter has the last '
-              'value that it was given.'),
-        right('AlphaClaw, 200 rpm, safety on', 'As the list suggests: each parameter has the last value that it was '
-              'given. The name comes from the file, the rest from the dictionary.'),
-        wrong('AlphaClaw, 180 rpm, safety off', 'The dictionary comes later in the list, and of these two sources the '
-              'later one wins.'))),
-    Prediction('7.2-2', 'You give the launch `robot_name:=42`, and the launch file says '
-               '`ParameterValue(…, value_type=str)`. What is the name of the robot?', (
-        right('It is the string 42', '`value_type=str` does what it says, and keeps 42 a string.'),
-        wrong('It is the integer 42', 'That would happen without `ParameterValue`, and the node would not start. '
-              '`value_type=str` keeps 42 a string.'),
-        wrong('It is still Clawbot', 'A launch passes on what you gave it, here as a string. It does not fall back to '
-              'the default.'))),
-    Prediction('7.2-3', '`SetParameter` gives 50 rpm. Anna comes before it, Berta after it, and the third robot, after '
-               'both, also has the file with 180 rpm. How many of the three start with 50?', (
-        right('1', 'Only Berta. Anna comes too early, and the file hides the value for the third robot.'),
-        wrong('2', 'The file hides the value for the third robot: `SetParameter` comes before everything in '
-              '`parameters`.'),
-        wrong('3', '`SetParameter` reaches only what comes after it, so not Anna. And the file hides the value for '
-              'the third robot.'),
-        wrong('0', 'Berta does: she comes after `SetParameter`, and nothing hides the value for her.')),
-        otherwise='One: Berta. Anna comes too early, and the file hides the value for the third robot.'),
-    Prediction('7.2-4', 'The folder `launch/` is in the package in `src`, the `setup.py` does not mention it, and the '
-               'build has succeeded. What does `ros2 launch` do?', (
-        wrong('It starts the robot with its file', '`ros2 launch` looks only in the install space, and nothing has '
-              'installed the file there.'),
-        wrong('It starts the robot with defaults', 'Without the launch file it can start nothing, and that file is not '
-              'in the install space.'),
-        right('It does not find the launch file', 'Nothing has installed it. A build installs only what `setup.py` '
-              'lists.'))),
-    Prediction('7.2-5', 'The launch file is installed now, but the parameter file that it names is not. Does the robot '
-               'start?', (
-        right('Yes, with its defaults', 'A missing parameter file is a warning, one line above the others. The robot '
-              'drives with its defaults.'),
-        wrong('No, the launch fails', 'To a launch, a missing parameter file is a warning, not an error.'),
-        wrong('Yes, with the file in src', 'Nothing looks in `src`. The file is not in the install space, so nobody '
-              'reads its values.'))),
-    Prediction('7.2-6', 'The key at the top of the file is `/simple_param_node`, and below it the robot is named '
-               'AlphaClaw. A node called `other_robot` starts with the file. What is its `robot_name`?', (
-        wrong('AlphaClaw, from the file', 'A file is for the node that it names. It holds nothing for this one.'),
-        wrong('none, it does not start', 'There is no error, and not even a warning: the node ignores values for '
-              'another node.'),
-        right('Clawbot, from the program', 'The file is for another node, so this one ignores it without a word.'))),
+    Prediction('7.2-1', '`parameters` lists a file and a dictionary. How many parameter files are on the command '
+               'line?', (
+        right('2', 'The launch writes the dictionary into a file of its own, and names both in the order of the list.'),
+        wrong('1', 'The dictionary becomes a file as well: the launch writes it, and names both.'),
+        wrong('0', 'The launch names both: your file, and one that it has written for the dictionary.')),
+        otherwise='There are two: your file, and one that the launch has written for the dictionary.'),
+    Prediction('7.2-2', 'Your launch file is in `src`, the build has succeeded, and the terminal has sourced the '
+               'workspace. What does `ros2 launch` do?', (
+        wrong('It starts the driver with your file', '`ros2 launch` looks in the install space, and nothing has '
+              'installed the launch file there.'),
+        right('It does not find the launch file', 'A build installs what `setup.py` lists, and the launch file is not '
+              'in that list.'),
+        wrong('It starts it with its defaults', 'Without the launch file it starts nothing, and that file is not '
+              'in the install space.'))),
+    Prediction('7.2-3', 'The launch file is installed, and the parameter file that it names is gone. With which '
+               '`max_speed_mps` does the driver start? Type 0 if you think that it does not start.', (
+        right('0.5', 'That is the default in its code. A plain path that leads nowhere is only a warning.'),
+        wrong('0', 'It starts, with its default of 0.5 m/s: a plain path that leads nowhere is only a warning.'),
+        wrong('0.8', 'That stands in the file in `src`, where nothing looks. The driver starts with its default of '
+              '0.5 m/s.')),
+        otherwise='It starts with 0.5, the default in its code.'),
+    Prediction('7.2-4', 'The launch file says `ParameterFile(…, allow_substs=True)`, and you give it a path that leads '
+               'nowhere. What happens?', (
+        wrong('The driver starts with its defaults', 'The launch has to read the file, to replace what is in it. It '
+              'cannot, and ends.'),
+        wrong('The driver starts with the usual file', 'That is the default of the argument, and counts only if you '
+              'give no other path.'),
+        right('The launch ends with an error message', 'It has to read the file itself, to replace what is in it.'))),
+    Prediction('7.2-5', 'The launch file says `ParameterValue(…, value_type=str)`, and you give `robot_name:=42`, then '
+               '`robot_name:=1e5`. With which of them does the robot start?', (
+        wrong('with both of these names', '42 stays a string. `1e5` is written into a file without quotes, and rcl '
+              'reads it as a number.'),
+        right('only with the name 42', '`1e5` is written into a file without quotes, and rcl reads it as a number.'),
+        wrong('only with the name 1e5', '`value_type=str` keeps 42 a string, and `1e5` loses its quotes on the way.'))),
+    Prediction('7.2-6', '`SetParameter` gives `use_sim_time` to the driver, and nothing publishes on `/clock`. How '
+               'fast does the robot drive, in m/s?', (
+        right('0', 'Time stands still for the driver. Its timer never fires, so it sends no command.'),
+        wrong('0.5', 'The driver holds this value, and sends no command: its timer never fires.'),
+        wrong('0.8', 'This launch file names no parameter file. And the driver sends no command at all: its timer '
+              'never fires.')),
+        otherwise='It stands still: the timer of the driver never fires.'),
 )

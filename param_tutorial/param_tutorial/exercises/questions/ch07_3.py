@@ -13,7 +13,7 @@ RECALLS = (
               'and that is not `berta`.'),
         wrong('The launch ends with an error', 'rcl can read the file, so there is no error. The file is for another '
               'node, and berta ignores it.')),
-           chapter='7.2', section='Break it: a robot of another name'),
+           chapter='7.2', section='The command line that a launch types'),
     Recall('7.3-r2', 'A node declares the string `serial_number`. Its parameter file says `serial_number: 0042`, '
            'without quotes. What happens at the start?', (
         right('It does not start at all', 'rcl reads a number, and the declaration of a string rejects it.'),

@@ -17,7 +17,7 @@ RECALLS = (
         right('200', 'Here the later source in the list wins.'),
         wrong('180', 'Here the later source in the list wins, and that is the dictionary.')),
            otherwise='200. Here the later source in the list wins, and that is the dictionary.',
-           chapter='7.2', section='Change it: values in the launch file'),
+           chapter='7.2', section='The command line that a launch types'),
 )
 
 PREDICTIONS = (
