@@ -49,6 +49,8 @@ WRONG = {
         ([(GIVE_UP, f"{_OPEN}            self.get_logger().warning('no')\n            return\n")], 6, 'it is not'),
         ([(GIVE_UP, f'        self.driver.wait_for_services()\n{GIVE_UP}')], 4, _SLEEPS),
         ([('        rclpy.spin(Tuner())', '        tuner = Tuner()')], 5, 'Nothing spins the node'),
+        ([("driver_node:main',", "driver_node:main'")], 6, 'Is there a comma between it and the other line?'),
+        ([("            'driver_node = my_robot.driver_node:main',\n", '')], 6, 'there is no such line'),
     ],
     '5.3c': [
         ([('parameter.name: result.reason', 'result.name: result.reason')], 0, 'A result has no name'),
