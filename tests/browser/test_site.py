@@ -92,11 +92,11 @@ ROBOT = (
     "print('/heater:\\n  ros__parameters:\\n    label: ' + 'a long name ' * 9)",
     "print('A sentence goes on' + ' and on' * 20)",
     '## Two sources\n\nThe later one wins.',
-    '## 7.3a · Put three sources in order',
-    "sources = [\n    '-p speed:=400',\n    '--params-file slow.yaml',\n    '--params-file fast.yaml',\n]",
-    "from param_tutorial import exercises\n\nexercises.check('7.3a', sources)",
+    '## 7.3b · Put three sources in order',
+    "sources = [\n    '-p max_speed_mps:=0.7',\n    '--params-file slow.yaml',\n    '--params-file fast.yaml',\n]",
+    "from param_tutorial import exercises\n\nexercises.check('7.3b', sources)",
 )
-SOLVED = "sources = ['--params-file fast.yaml', '--params-file slow.yaml', '-p speed:=400']"
+SOLVED = "sources = ['--params-file fast.yaml', '--params-file slow.yaml', '-p max_speed_mps:=0.7']"
 INDEX = '''# Start
 
 | | Chapter | Question | Minutes |
@@ -112,7 +112,7 @@ def write_chapter(path, cells):
     notebook = nbformat.read(path, as_version=4)
     for at, cell in enumerate(notebook.cells):
         if 'exercises.check(' in cell.source:
-            notebook.cells[at - 1].id, cell.id = 'exercise-7-3a', 'check-7-3a'
+            notebook.cells[at - 1].id, cell.id = 'exercise-7-3b', 'check-7-3b'
     if '1 / 0' in notebook.cells[-1].source:
         notebook.cells[-1].metadata.tags = ['raises-exception']
     NotebookClient(notebook, kernel_name='python3', store_widget_state=False, coalesce_streams=True,
@@ -137,7 +137,7 @@ def made(tmp_path_factory):
     (notebooks / 'solutions').mkdir()
     path = lesson.write(notebooks / 'solutions' / '2_robot.ipynb', ('# Solutions', SOLVED))
     solved = nbformat.read(path, as_version=4)
-    solved.cells[1].id = 'solution-7-3a'
+    solved.cells[1].id = 'solution-7-3b'
     nbformat.write(solved, path)
     site = Site(notebooks, folder / 'html', folder / 'work')
     site.build()
@@ -408,9 +408,9 @@ def test_predictions_fold_what_answers_them_and_are_kept_and_marked(page, made):
 
 @robot
 def test_an_exercise_is_solved_in_its_cell_and_remembered(page):
-    exercise, check = (page.locator(f'.tag_live-{name}-7-3a') for name in ('exercise', 'check'))
+    exercise, check = (page.locator(f'.tag_live-{name}-7-3b') for name in ('exercise', 'check'))
     run(check)
-    expect(check.locator('.param-check')).to_contain_text('Exercise 7.3a: not yet, 0 of 2 done', timeout=60_000)
+    expect(check.locator('.param-check')).to_contain_text('Exercise 7.3b: not yet, 0 of 2 done', timeout=60_000)
     wait_for_the_node(page)
     check.get_by_role('link', name='“Two sources”').first.click()
     expect(page.get_by_role('heading', name='Two sources')).to_be_in_viewport()
@@ -419,7 +419,7 @@ def test_an_exercise_is_solved_in_its_cell_and_remembered(page):
     edit(exercise, SOLVED)
     run(exercise)
     run(check)
-    expect(check.locator('.param-check')).to_contain_text('Exercise 7.3a: done, 2 of 2 done')
+    expect(check.locator('.param-check')).to_contain_text('Exercise 7.3b: done, 2 of 2 done')
     expect(page.locator('.lesson-mark')).to_have_attribute('title', '1 of 1 questions answered')
     expect(page.locator('.lesson-here').first).to_have_text('1 of 1 answered')
     page.reload()

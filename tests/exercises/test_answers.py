@@ -80,7 +80,7 @@ class TestChapters10And11(Answers):
 @pytest.mark.filterwarnings('ignore:Callback returned an invalid type')
 @pytest.mark.parametrize(('number', 'replacements'), [
     ('7.2c', [("'params_file'", "'param_file'")]),
-    ('7.3c', [('40', '4')]),
+    ('7.3c', [('20', '2')]),
     ('8b', [("'belt.speed_mps', 0.0", "'belt.speed_mps', 0")]),
     ('8a', [("'fan.speed', 0.5", "'fan.speed', 1")]),
     ('9.1a', [("'gains.kp', 2.0", "'gains.kp', 2")]),

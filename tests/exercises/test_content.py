@@ -10,7 +10,7 @@ import nbformat
 import pytest
 
 from param_tutorial.exercises import CHAPTERS, EXERCISES, PREDICTIONS, RECALLS
-from param_tutorial.exercises.chapters import ch06_2, ch07_3
+from param_tutorial.exercises.chapters import ch06_2
 from param_tutorial.exercises.prediction import MIME_TYPE
 from tests.support.answers import blank, notebook
 from tests.support.paths import NOTEBOOKS
@@ -108,7 +108,7 @@ def test_the_look_of_an_option_wins_at_most_ten_points_more_than_chance(look):
 
 
 def test_a_prediction_is_asked_for_in_the_words_of_the_check():
-    for number in ('5.4b', '6.2c', '7.3b'):
+    for number in ('5.4b', '6.2c'):
         assert [f'`{question}`' for question in blank(number)] == [
             requirement.sentence for requirement in EXERCISES[number].requirements]
 
@@ -127,8 +127,3 @@ def without_annotations(source):
         elif isinstance(each, ast.arg):
             each.annotation = None
     return ast.unparse(tree)
-
-
-def test_the_files_in_the_chapter_are_those_that_the_check_starts_with():
-    written, = (each.source for each in notebook('7.3b') if each.source.startswith('FILES = '))
-    assert ast.literal_eval(ast.parse(written).body[0].value) == ch07_3.FILES

@@ -67,13 +67,13 @@ def parameter_file(values: Mapping[str, float]) -> str:
 
 
 @contextlib.contextmanager
-def copied(files: PackageFiles) -> Iterator[Path]:
-    """Yield a copy of the reader's package, in which commands find it, with a parameter file of ours."""
+def copied(files: PackageFiles, config: str) -> Iterator[Path]:
+    """Yield a copy of the reader's package, in which commands find it, with another text as its parameter file."""
     with tempfile.TemporaryDirectory(prefix='param_tutorial_') as folder:
         root = Path(folder, NAME)
         shutil.copytree(files.root, root, ignore=shutil.ignore_patterns('__pycache__'))
         (root / CONFIG).parent.mkdir(exist_ok=True)
-        (root / CONFIG).write_text(parameter_file(IN_PACKAGE), encoding='utf-8')
+        (root / CONFIG).write_text(config, encoding='utf-8')
         # A build of the package that has been sourced would come first.
         wanted = {PACKAGE_IN_WORK: str(root), 'AMENT_PREFIX_PATH': ''}
         before = {name: os.environ.get(name) for name in wanted}
@@ -87,17 +87,19 @@ def copied(files: PackageFiles) -> Iterator[Path]:
                     os.environ[name] = value
 
 
-def launch(trial: Trial, given: str | None = None) -> Launched:
+def launch(trial: Trial, given: str | None = None, config: str = '', **arguments: str) -> Launched:
     """Work out what ``ros2 launch`` would start.
 
     :param given: The text of a parameter file for the argument ``params_file``; empty for one that is not there.
+    :param config: The text of the file in the package; by default one of ours.
+    :param arguments: Of the launch file, besides ``params_file``.
     :raises NotYet: it cannot be carried out.
     :raises NoUse: there is no launch file, or it starts something else than the driver.
     """
     if not trial.work.text(LAUNCH).strip():
         raise NoUse(f'a file `{LAUNCH}` in your package', 'there is none, or nothing in it')
-    with copied(trial.work) as root:
-        arguments, warnings = {}, []
+    with copied(trial.work, config or parameter_file(IN_PACKAGE)) as root:
+        warnings: list[str] = []
         if given is not None:
             path = root / 'given.yaml'
             arguments['params_file'] = str(path)

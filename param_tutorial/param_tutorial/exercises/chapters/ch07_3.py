@@ -1,4 +1,5 @@
-"""Exercises of chapter 7.3: order sources, predict which value wins, and write a file that reaches the right nodes."""
+"""Exercises of chapter 7.3: a file and a launch file for every namespace, an order of sources, and a file that does not
+reach its robot."""
 
 import contextlib
 from collections.abc import Mapping
@@ -6,202 +7,194 @@ from typing import Any
 
 from rclpy.node import Node
 
-from param_tutorial.exercises.exercise import DICTIONARY, LIST, TEXT, Exercise
+from param_tools.files.parsing import Parser
+from param_tutorial.exercises.chapters.ch07_2 import CONFIG, launch
+from param_tutorial.exercises.exercise import LIST, TEXT, Exercise
 from param_tutorial.exercises.expectations import expect_text
-from param_tutorial.exercises.trial import NoStart, NotTried, NotYet, NoUse, Trial, expect, take_for_granted
+from param_tutorial.exercises.steps import PACKAGE, class_of
+from param_tutorial.exercises.trial import CORNER, NotTried, NotYet, NoUse, Trial, expect, take_for_granted
+from param_tutorial.learner.package_files import our_copy
 
 CHAPTER = '07_3_overrides'
+REACHES = 'Which nodes does a file reach?'
 TWO = 'Two sources'
 THREE = 'Break it: three sources'
-REACHES = 'Which nodes does a file reach?'
-
-# The files of 7.3b, which the chapter writes into its scratch folder.
-FILES = {
-    'mixed.yaml': """
-/robot:
-  ros__parameters: {speed: 200}
-/**:
-  ros__parameters: {speed: 300}
-""",
-    'every.yaml': '/**: {ros__parameters: {speed: 350}}',
-    'any.yaml': '/**/robot: {ros__parameters: {speed: 250}}',
-    'lab.yaml': '/lab/**: {ros__parameters: {speed: 150}}',
-}
+DIAGNOSE = 'A start that goes wrong'
 
 
-class Robot(Node):
-    """The robot of the chapter."""
+# -- 7.3a: the reader's file and launch file --------------------------------------------------------------------------
 
-    def __init__(self) -> None:
-        super().__init__('robot')
-        self.declare_parameter('speed', 100)
-
-
-predict = Exercise('7.3b', 'Predict the winner', CHAPTER, DICTIONARY, hints=(
-    'Take a sheet of paper. Write down the blocks in the order in which their names first appear, with the value of '
-    'each. Then find the last one that matches.',
-    '`mixed.yaml` opens two blocks. A `-p` without a node name goes into the block `/**`, wherever that is.',
-    'A block that is already open keeps its place and gets the new value. The robot is `/robot`.'))
+move = Exercise('7.3a', 'A file for every namespace', CHAPTER, PACKAGE, hints=(
+    'The key of the file is its first line that is no comment. In the table of keys, look for one that reaches the '
+    'driver in each namespace, and no node of another name.',
+    'The launch file declares `namespace` as it declares `params_file`, with an empty `default_value`. In `Node`, '
+    '`namespace=LaunchConfiguration("namespace")` stands beside the name.'))
 
 
-def require_foresight(sources: str, because: Mapping[object, str], see: str = THREE) -> None:
-    """Add the requirement to know the robot's speed after a start.
+def text_of(trial: Trial, name: str) -> str:
+    """Return the text of a file of the package.
 
-    :param sources: Names of files, or '-p 400', in their order.
+    :raises NoUse: there is none.
     """
-    words = [word for source in sources.split(', ') for word in (
-        ('--params-file', source) if source in FILES else ('-p', source.replace('-p ', 'speed:=')))]
-
-    @predict.require_prediction(sources, see=see, because=because)
-    def speed(trial: Trial) -> Any:
-        return trial.start_with_files(Robot, FILES, *words).get_parameter('speed').value
+    if not (text := trial.work.text(name)).strip():
+        raise NoUse(f'a file `{name}` in your package', 'there is none, or nothing in it')
+    return str(text)
 
 
-require_foresight('mixed.yaml', {
-    200: 'The later block wins, not the more specific name', 100: 'Both blocks match the robot'})
-require_foresight('mixed.yaml, -p 400', {
-    300: '`-p` changes the block that is the last one here', 200: 'Which block is opened last?'})
-require_foresight('-p 400, mixed.yaml', {
-    300: 'Which block was opened first: that of `-p`, or that of `/robot`?',
-    400: 'The file gives the block of `-p` another value'})
-require_foresight('every.yaml, mixed.yaml', {
-    300: 'The first file has already opened that block', 350: 'The second file changes this value'})
-require_foresight('mixed.yaml, any.yaml', {
-    300: 'Which block comes after this one?', 200: 'The more specific name does not win'}, REACHES)
-require_foresight('any.yaml, mixed.yaml, -p 400', {
-    250: 'Two more blocks are opened after this one', 300: '`-p` gives this block another value',
-    200: 'Which block is opened last?'})
-require_foresight('every.yaml, any.yaml, -p 400', {
-    400: '`-p` goes into the first block', 350: '`any.yaml` matches the robot too'})
-require_foresight('lab.yaml', {
-    150: 'The robot is `/robot`: it is not in the laboratory'}, REACHES)
+def given(trial: Trial) -> dict[str, Any]:
+    """Return what the reader's parameter file gives."""
+    parser = Parser(tolerant=True)
+    parser.parse(text_of(trial, CONFIG).encode(), CONFIG)
+    if not (found := {each.name: each.value for each in parser.assignments}):
+        raise NoUse(f'values in `{CONFIG}`', 'there is none')
+    return found
 
 
-class Gripper(Node):
-    """A gripper, or a neighbor of one under another name."""
+def start_driver(trial: Trial, *words: str, namespace: str = '') -> Node:
+    """Start the reader's driver with their parameter file, in the corner.
 
-    def __init__(self) -> None:
-        super().__init__('gripper')
-        self.declare_parameters('', [('force_n', 5.0), ('speed_mmps', 10)])
-
-
-reach = Exercise('7.3c', 'Two of five', CHAPTER, TEXT, hints=(
-    'Begin with one block, for `/lab/left/gripper` alone. Then put a wildcard where the two names differ.',
-    '`*` stands for one name, `**` for any number of names. A double needs its dot, in a file too.',
-    'Two blocks: `/lab/*/gripper` with both values, and below it `/lab/right/gripper` with its own force. In each, the '
-    'second line is `ros__parameters:`.'))
-
-
-def expect_holds(trial: Trial, place: str, name: str, force_n: float, speed_mmps: int) -> None:
-    """Expect a node that starts with the learner's file to have these values."""
-    wanted = {'force_n': force_n, 'speed_mmps': speed_mmps}
-    found = held(trial, place, name)
-    expect(found == wanted, _format_values(wanted), _format_values(found))
-
-
-def held(trial: Trial, place: str, name: str) -> dict[str, object]:
-    """Return the values of a node that starts with the learner's file."""
-    node = trial.start_with_files(Gripper, {'lab.yaml': trial.work}, '--params-file', 'lab.yaml',
-                                  '-r', f'__node:={name}', namespace=place)
-    return dict(trial.client(node).get_parameters(['force_n', 'speed_mmps']))
-
-
-def _format_values(held: Mapping[str, object]) -> str:
-    return ', '.join(f'`{name}` is `{value!r}`' for name, value in held.items())
-
-
-@reach.require('rcl can read the file', see=REACHES)
-def is_read(trial: Trial) -> None:
-    expect_text(trial)
-    with contextlib.suppress(NoStart):  # what a value does to a node is another requirement
-        trial.start_with_files(Gripper, {'lab.yaml': trial.work}, '--params-file', 'lab.yaml')
-
-
-@reach.require('`/lab/left/gripper` starts with 12.0 N and 40 mm/s', see=REACHES)
-def left(trial: Trial) -> None:
-    expect_holds(trial, '/lab/left', 'gripper', 12.0, 40)
-
-
-@reach.require('`/lab/right/gripper` starts with 20.0 N and 40 mm/s', see=THREE)
-def right(trial: Trial) -> None:
-    if held(trial, '/lab/right', 'gripper')['force_n'] == 20.0:
-        # Its speed is then that of the left one, or a mistake of its own.
-        take_for_granted(trial, same_speed_on_the_left)
-    expect_holds(trial, '/lab/right', 'gripper', 20.0, 40)
-
-
-def same_speed_on_the_left(trial: Trial) -> None:
-    """Expect the speed of the left gripper to be right, unless the right one has another."""
-    left_one, right_one = (held(trial, place, 'gripper')['speed_mmps'] for place in ('/lab/left', '/lab/right'))
-    expect(left_one != right_one or left_one == 40, '', '')
-
-
-def expect_a_gripper(trial: Trial) -> None:
-    """Expect the file to reach a gripper in the laboratory: one that reaches nobody leaves others alone, too.
-
-    :raises NotTried: it reaches neither.
+    :param words: Further ones, after the file.
     """
-    for each in (left, right):
-        with contextlib.suppress(NotYet):
-            each(trial)
-            return
-    raise NotTried
+    return trial.start_with_files(class_of(trial.work.path('driver_node.py')), {'config.yaml': text_of(trial, CONFIG)},
+                                  '--params-file', 'config.yaml', *words, namespace=namespace)
 
 
-@reach.require('`/lab/right/camera_arm` keeps its defaults', see=REACHES)
-def arm(trial: Trial) -> None:
-    expect_a_gripper(trial)
-    expect_holds(trial, '/lab/right', 'camera_arm', 5.0, 10)
+def name_of(node: Node) -> str:
+    """Return the full name that a node would have outside of the corner."""
+    return str(node.get_fully_qualified_name()).removeprefix(CORNER)
 
 
-@reach.require('`/gripper` and `/store/left/gripper` keep theirs', see=REACHES)
-def spare(trial: Trial) -> None:
-    expect_a_gripper(trial)
-    for place in ('', '/store/left'):
-        expect_holds(trial, place, 'gripper', 5.0, 10)
+def expect_values(node: Node, values: Mapping[str, Any], because: str) -> None:
+    """Expect a node to hold these values."""
+    for name, value in values.items():
+        found = node.get_parameter_or(name).value
+        expect(found == value, f'`{name}` of `{name_of(node)}` is `{value!r}`', f'it is `{found!r}`. {because}')
 
 
-order = Exercise('7.3a', 'Put three sources in order', CHAPTER, LIST, hints=(
-    'Both files write into the block `/robot`. Within a block the later value wins.',
-    'A `-p` without a node name goes into the block `/**`. It wins if this block is opened after `/robot`.'))
+@move.require(f'`{CONFIG}` reaches your driver in every namespace', see=REACHES)
+def reaches(trial: Trial) -> None:
+    for namespace in ('', '/left', '/hall/left'):
+        expect_values(start_driver(trial, namespace=namespace), given(trial),
+                      'That is not what the file says. Does its key match this name?')
 
-# The sources of this exercise: both files name the robot.
+
+@move.require('it reaches no node of another name', see=REACHES)
+def is_not_for_all(trial: Trial) -> None:
+    take_for_granted(trial, reaches)
+    plain = trial.start(class_of(trial.work.path('driver_node.py')))
+    expect_values(start_driver(trial, '-r', '__node:=lifter'),
+                  {name: plain.get_parameter_or(name).value for name in given(trial)},
+                  'That is from the file: its key matches every name')
+
+
+def launched(trial: Trial, name: str, config: str = '', **arguments: str) -> Node:
+    """Start what the reader's launch file starts, with their parameter file, and expect it to have a full name.
+
+    :param config: The text of another file, for the argument ``params_file``.
+    """
+    found = launch(trial, config or None, text_of(trial, CONFIG), **arguments)
+    node = found.start(trial)
+    words = ''.join(f' {argument}:={value}' for argument, value in arguments.items())
+    expect(name_of(node) == name, f'`{name}`' + (f' with `{words.strip()}`' if words else ' without arguments'),
+           f'it is `{name_of(node)}`. ' + ('Does `Node` use the argument?' if words else
+                                           'What is the default of `namespace`?'))
+    return node
+
+
+@move.require('`ros2 launch my_robot my_robot_launch.py namespace:=left` starts `/left/driver`, with that file',
+              see=REACHES)
+def launches(trial: Trial) -> None:
+    take_for_granted(trial, reaches)
+    for namespace in ('left', 'right'):
+        expect_values(launched(trial, f'/{namespace}/driver', namespace=namespace), given(trial),
+                      'Does the launch file give it the file?')
+
+
+@move.require('without `namespace` it starts `/driver`, and `params_file` still names another file', see=REACHES)
+def launches_as_before(trial: Trial) -> None:
+    take_for_granted(trial, launches)
+    expect_values(launched(trial, '/driver'), given(trial), 'Does the launch file give it the file?')
+    expect_values(launched(trial, '/driver', '/**:\n  ros__parameters:\n    max_speed_mps: 0.3\n'),
+                  {'max_speed_mps': 0.3}, 'Is `params_file` still declared, and used?')
+
+
+# -- 7.3b and 7.3c: with a driver of ours -----------------------------------------------------------------------------
+
+def our_driver(trial: Trial, files: Mapping[str, str], *words: str, namespace: str = '') -> Node:
+    """Start the driver as it is after this chapter, in the corner, with parameter files."""
+    return trial.start_with_files(class_of(our_copy('7.3a') / 'my_robot' / 'driver_node.py'), files, *words,
+                                  namespace=namespace)
+
+
+order = Exercise('7.3b', 'Put three sources in order', CHAPTER, LIST, hints=(
+    'Both files write into the block `/driver`. Within a block the later value wins.',
+    'A `-p` without a node name goes into the block `/**`. It wins if this block is opened after `/driver`.'))
+
 SOURCES = {
-    'slow.yaml': "/robot: {ros__parameters: {speed: 80, label: 'slow'}}",
-    'fast.yaml': "/robot: {ros__parameters: {speed: 300, label: 'fast'}}",
+    'slow.yaml': '/driver: {ros__parameters: {max_speed_mps: 0.4, stop_distance_m: 1.0}}',
+    'fast.yaml': '/driver: {ros__parameters: {max_speed_mps: 0.8, stop_distance_m: 0.6}}',
 }
-WORDS = ('-p speed:=400', '--params-file slow.yaml', '--params-file fast.yaml')
+WORDS = ('-p max_speed_mps:=0.7', '--params-file slow.yaml', '--params-file fast.yaml')
 
 
-class Labeled(Robot):
-    """The robot, with a label."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.declare_parameter('label', 'none')
-
-
-def labeled(trial: Trial) -> Labeled:
-    """Start the robot with the learner's sources.
+def value_of(trial: Trial, name: str) -> Any:
+    """Start the driver with the reader's sources, and return a value.
 
     :raises NoUse: they are not the three of the exercise.
     """
     words = [' '.join(word.split()) for word in trial.work if isinstance(word, str)]
     if sorted(words) != sorted(WORDS) or len(words) != len(trial.work):
         raise NoUse('the three sources, each of them once and unchanged', f'the list is `{trial.work!r}`')
-    return trial.start_with_files(Labeled, SOURCES, *(each for word in words for each in word.split()))
+    return our_driver(trial, SOURCES, *(each for word in words for each in word.split())).get_parameter(name).value
 
 
-@order.require('the robot starts with 400', see=TWO)
+@order.require('the driver starts with 0.7 m/s', see=TWO)
 def wins(trial: Trial) -> None:
-    found = labeled(trial).get_parameter('speed').value
-    expect(found == 400, '`speed` is `400`', f'it is `{found!r}`. Which block is opened last?')
+    found = value_of(trial, 'max_speed_mps')
+    expect(found == 0.7, '`max_speed_mps` is `0.7`', f'it is `{found!r}`. Which block is opened last?')
 
 
-@order.require("its label is `'slow'`", see=TWO)
+@order.require('it stops 1.0 m before the wall', see=THREE)
 def is_slow(trial: Trial) -> None:
-    found = labeled(trial).get_parameter('label').value
-    expect(found == 'slow', "`label` is `'slow'`", f'it is `{found!r}`. Both files write into the same block')
+    found = value_of(trial, 'stop_distance_m')
+    expect(found == 1.0, '`stop_distance_m` is `1.0`', f'it is `{found!r}`. Both files write into the same block')
 
 
-EXERCISES = (order, predict, reach)
+repair = Exercise('7.3c', 'The night shift', CHAPTER, TEXT, hints=(
+    'Begin with what the driver reports: an integer where a double is declared. Then ask which names there are: `%ros2 '
+    'node list`. Which of the three keys in the file match `/left/driver`, and which match `/driver`?',
+    '`%ros2 check night.yaml --against /left/driver` names the lines whose values do not arrive. It does not know that '
+    'the other robot should keep its defaults.',
+    'One block is enough: `/left/driver:`, and below it `ros__parameters:` with all four values.'))
+NIGHT = {'max_speed_mps': 0.3, 'stop_distance_m': 1.0, 'braking_mps2': 0.5, 'rate_hz': 20}
+
+
+def at_night(trial: Trial, namespace: str) -> Node:
+    """Start a driver with the reader's file."""
+    return our_driver(trial, {'night.yaml': trial.work}, '--params-file', 'night.yaml', namespace=namespace)
+
+
+@repair.require('`/left/driver` starts with the file', see=DIAGNOSE)
+def starts(trial: Trial) -> None:
+    expect_text(trial)
+    at_night(trial, '/left')
+
+
+@repair.require('it holds the four values of the night', see=DIAGNOSE)
+def holds(trial: Trial) -> None:
+    expect_values(at_night(trial, '/left'), NIGHT,
+                  'Which keys match `/left/driver`, and what is the parameter called that the driver declares?')
+
+
+@repair.require('`/driver` keeps its defaults', see=REACHES)
+def leaves_alone(trial: Trial) -> None:
+    with contextlib.suppress(NotYet):
+        left, plain = at_night(trial, '/left'), our_driver(trial, {})
+        if all(left.get_parameter(name).value == plain.get_parameter(name).value for name in NIGHT):
+            raise NotTried  # a file that reaches nobody leaves others alone, too
+    plain = our_driver(trial, {}, namespace='/plain')
+    expect_values(at_night(trial, ''), {name: plain.get_parameter(name).value for name in NIGHT},
+                  'That is from your file. Which of its keys match `/driver`?')
+
+
+EXERCISES = (move, order, repair)
