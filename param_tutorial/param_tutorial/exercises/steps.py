@@ -1,18 +1,30 @@
 """Steps of the reader's own package as answers: the check makes the driver's node in its corner, and is its base."""
 
-from collections.abc import Mapping
+import contextlib
+import itertools
+import os
+import shutil
+import tempfile
+from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from geometry_msgs.msg import Twist
 from rclpy.node import Node
 from sensor_msgs.msg import Range
 
+from param_tools.cli.launch.actions import LaunchDescription
+from param_tools.cli.launch.context import Context, LaunchFailed
+from param_tools.cli.launch.processes import Program
+from param_tools.cli.launch.reading import load_description
+from param_tools.ros.environment import PACKAGE_IN_WORK
 from param_tutorial.exercises.exercise import Kind
-from param_tutorial.exercises.trial import NoUse, Trial, cleared, expect
-from param_tutorial.learner.package_files import PackageFiles
+from param_tutorial.exercises.trial import NotYet, NoUse, Trial, cleared, expect
+from param_tutorial.learner.package_files import NAME, PackageFiles
 from param_tutorial.package.following import FollowedPackage
 from param_tutorial.package.loading import LoadError, load_node_class
+
+LAUNCH, CONFIG = 'launch/my_robot_launch.py', 'config/my_robot.yaml'
 
 
 def _path(work: FollowedPackage | PackageFiles, name: str) -> Path:
@@ -122,3 +134,93 @@ def expect_start_speeds(trial: Trial) -> None:
         with cleared(trial.ros):
             _, bench = start_on_bench(trial, *words)
             expect_speed(trial, bench, speed_mps, f'after a start with `max_speed_mps = {speed_mps}`')
+
+
+class Launched(NamedTuple):
+    """What a launch file starts."""
+
+    words: list[str]
+    """What follows ``--ros-args``; a parameter file by its name in ``files``."""
+    files: dict[str, str]
+    """The text of each parameter file."""
+    warnings: list[str]
+    """What the launch warns of."""
+    arguments: list[str]
+    """The names of the arguments that the launch file declares."""
+
+    def start(self, trial: Trial) -> Node:
+        """Put the driver on the stage, in the corner.
+
+        :raises NoStart: it does not start.
+        """
+        driver = class_of(trial.work.path('driver_node.py'))
+        namespace = next((word.partition(':=')[2] for word in self.words if word.startswith('__ns:=')), '')
+        return trial.start_with_files(driver, self.files, *self.words, namespace=namespace.rstrip('/'))
+
+
+@contextlib.contextmanager
+def copied(files: PackageFiles, config: str) -> Iterator[Path]:
+    """Yield a copy of the reader's package, in which commands find it, with another text as its parameter file."""
+    with tempfile.TemporaryDirectory(prefix='param_tutorial_') as folder:
+        root = Path(folder, NAME)
+        shutil.copytree(files.root, root, ignore=shutil.ignore_patterns('__pycache__'))
+        (root / CONFIG).parent.mkdir(exist_ok=True)
+        (root / CONFIG).write_text(config, encoding='utf-8')
+        # A build of the package that has been sourced would come first.
+        wanted = {PACKAGE_IN_WORK: str(root), 'AMENT_PREFIX_PATH': ''}
+        before = {name: os.environ.get(name) for name in wanted}
+        os.environ.update(wanted)
+        try:
+            yield root
+        finally:
+            for name, value in before.items():
+                os.environ.pop(name)
+                if value is not None:
+                    os.environ[name] = value
+
+
+def launch(trial: Trial, config: str, given: str | None = None, **arguments: str) -> Launched:
+    """Work out what ``ros2 launch`` would start.
+
+    :param config: The text of the parameter file in the package.
+    :param given: The text of one for the argument ``params_file``; empty for one that is not there.
+    :param arguments: Of the launch file, besides ``params_file``.
+    :raises NotYet: it cannot be carried out.
+    :raises NoUse: there is no launch file, or it starts something else than the driver.
+    """
+    if not trial.work.text(LAUNCH).strip():
+        raise NoUse(f'a file `{LAUNCH}` in your package', 'there is none, or nothing in it')
+    with copied(trial.work, config) as root:
+        warnings: list[str] = []
+        if given is not None:
+            path = root / 'given.yaml'
+            arguments['params_file'] = str(path)
+            if given:
+                path.write_text(given, encoding='utf-8')
+
+        def work_out() -> tuple[LaunchDescription, list[Program]]:
+            description = load_description(root / LAUNCH)
+            context = Context(dict(arguments), root, log=lambda level, _, text: warnings.append(text)
+                              if level == 'WARNING' else None)
+            return description, description.execute(context)
+
+        try:
+            description, found = trial.call('the launch file', work_out)
+        except NotYet as error:
+            raise NotYet('a launch file that `ros2 launch` can run', error.happened.replace(
+                f'{root}/', '').removeprefix(f'{LaunchFailed.__name__}: ')) from None
+        if [program.name for program in found] != ['driver_node']:
+            names = ', '.join(f'`{program.name}`' for program in found) or 'nothing'
+            raise NoUse('a launch file that starts `driver_node`, once', f'it starts {names}')
+        command = found[0].command
+        words = command[command.index('--ros-args') + 1:]
+        paths = [word for option, word in itertools.pairwise(words) if option == '--params-file']
+        for each in paths:
+            if not Path(each).is_absolute():
+                raise NoUse('a path that leads to the file from every folder',
+                            f'`{each}` leads there only from the folder `{Path.cwd().name}`')
+        short = {path: f'{position}.yaml' for position, path in enumerate(paths)}
+        return Launched([short.get(word, word) for word in words],
+                        {name: Path(path).read_text(encoding='utf-8') for path, name in short.items()},
+                        [each.replace(f'{root}/', '') for each in warnings],
+                        [each.declaration.name for each in description.declared_arguments()])

@@ -5,27 +5,17 @@ from a path on this computer, comes to light.
 """
 
 import contextlib
-import itertools
 import os
 import re
-import shutil
 import sys
-import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from types import SimpleNamespace
-from typing import Any, NamedTuple
+from typing import Any
 from xml.etree import ElementTree
 
-from rclpy.node import Node
-
-from param_tools.cli.launch.actions import LaunchDescription
-from param_tools.cli.launch.context import Context, LaunchFailed
-from param_tools.cli.launch.processes import Program
-from param_tools.cli.launch.reading import load_description
-from param_tools.ros.environment import PACKAGE_IN_WORK
 from param_tutorial.exercises.exercise import Exercise
-from param_tutorial.exercises.steps import PACKAGE, class_of
+from param_tutorial.exercises.steps import CONFIG, LAUNCH, PACKAGE, launch
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect, take_for_granted
 from param_tutorial.learner.package_files import NAME, PackageFiles
 
@@ -33,32 +23,9 @@ CHAPTER = '07_2_launch_files'
 TYPES = 'The command line that a launch types'
 BUILD = 'What a build installs'
 ARGUMENT = 'The file as an argument'
-LAUNCH, CONFIG = 'launch/my_robot_launch.py', 'config/my_robot.yaml'
 SPEED, STOP = 'max_speed_mps', 'stop_distance_m'
 # What the parameter file of the copy says, and another one, for a launch with an argument.
 IN_PACKAGE, GIVEN = {SPEED: 0.65, STOP: 0.75}, {SPEED: 0.35, STOP: 0.45}
-
-
-class Launched(NamedTuple):
-    """What a launch file starts."""
-
-    words: list[str]
-    """What follows ``--ros-args``; a parameter file by its name in ``files``."""
-    files: dict[str, str]
-    """The text of each parameter file."""
-    warnings: list[str]
-    """What the launch warns of."""
-    arguments: list[str]
-    """The names of the arguments that the launch file declares."""
-
-    def start(self, trial: Trial) -> Node:
-        """Put the driver on the stage, in the corner.
-
-        :raises NoStart: it does not start.
-        """
-        driver = class_of(trial.work.path('driver_node.py'))
-        namespace = next((word.partition(':=')[2] for word in self.words if word.startswith('__ns:=')), '')
-        return trial.start_with_files(driver, self.files, *self.words, namespace=namespace.rstrip('/'))
 
 
 def parameter_file(values: Mapping[str, float]) -> str:
@@ -66,72 +33,7 @@ def parameter_file(values: Mapping[str, float]) -> str:
     return '\n'.join(['/driver:', '  ros__parameters:', *(f'    {name}: {value}' for name, value in values.items())])
 
 
-@contextlib.contextmanager
-def copied(files: PackageFiles, config: str) -> Iterator[Path]:
-    """Yield a copy of the reader's package, in which commands find it, with another text as its parameter file."""
-    with tempfile.TemporaryDirectory(prefix='param_tutorial_') as folder:
-        root = Path(folder, NAME)
-        shutil.copytree(files.root, root, ignore=shutil.ignore_patterns('__pycache__'))
-        (root / CONFIG).parent.mkdir(exist_ok=True)
-        (root / CONFIG).write_text(config, encoding='utf-8')
-        # A build of the package that has been sourced would come first.
-        wanted = {PACKAGE_IN_WORK: str(root), 'AMENT_PREFIX_PATH': ''}
-        before = {name: os.environ.get(name) for name in wanted}
-        os.environ.update(wanted)
-        try:
-            yield root
-        finally:
-            for name, value in before.items():
-                os.environ.pop(name)
-                if value is not None:
-                    os.environ[name] = value
-
-
-def launch(trial: Trial, given: str | None = None, config: str = '', **arguments: str) -> Launched:
-    """Work out what ``ros2 launch`` would start.
-
-    :param given: The text of a parameter file for the argument ``params_file``; empty for one that is not there.
-    :param config: The text of the file in the package; by default one of ours.
-    :param arguments: Of the launch file, besides ``params_file``.
-    :raises NotYet: it cannot be carried out.
-    :raises NoUse: there is no launch file, or it starts something else than the driver.
-    """
-    if not trial.work.text(LAUNCH).strip():
-        raise NoUse(f'a file `{LAUNCH}` in your package', 'there is none, or nothing in it')
-    with copied(trial.work, config or parameter_file(IN_PACKAGE)) as root:
-        warnings: list[str] = []
-        if given is not None:
-            path = root / 'given.yaml'
-            arguments['params_file'] = str(path)
-            if given:
-                path.write_text(given, encoding='utf-8')
-
-        def work_out() -> tuple[LaunchDescription, list[Program]]:
-            description = load_description(root / LAUNCH)
-            context = Context(dict(arguments), root, log=lambda level, _, text: warnings.append(text)
-                              if level == 'WARNING' else None)
-            return description, description.execute(context)
-
-        try:
-            description, found = trial.call('the launch file', work_out)
-        except NotYet as error:
-            raise NotYet('a launch file that `ros2 launch` can run', error.happened.replace(
-                f'{root}/', '').removeprefix(f'{LaunchFailed.__name__}: ')) from None
-        if [program.name for program in found] != ['driver_node']:
-            names = ', '.join(f'`{program.name}`' for program in found) or 'nothing'
-            raise NoUse('a launch file that starts `driver_node`, once', f'it starts {names}')
-        command = found[0].command
-        words = command[command.index('--ros-args') + 1:]
-        paths = [word for option, word in itertools.pairwise(words) if option == '--params-file']
-        for each in paths:
-            if not Path(each).is_absolute():
-                raise NoUse('a path that leads to the file from every folder',
-                            f'`{each}` leads there only from the folder `{Path.cwd().name}`')
-        short = {path: f'{position}.yaml' for position, path in enumerate(paths)}
-        return Launched([short.get(word, word) for word in words],
-                        {name: Path(path).read_text(encoding='utf-8') for path, name in short.items()},
-                        [each.replace(f'{root}/', '') for each in warnings],
-                        [each.declaration.name for each in description.declared_arguments()])
+OURS = parameter_file(IN_PACKAGE)
 
 
 def expect_start(trial: Trial, values: Mapping[str, float], because: str, given: str | None = None) -> None:
@@ -140,7 +42,7 @@ def expect_start(trial: Trial, values: Mapping[str, float], because: str, given:
     :param because: What to think of if it starts with others.
     :param given: As in ``launch``.
     """
-    launched = launch(trial, given)
+    launched = launch(trial, OURS, given)
     driver = launched.start(trial)
     for name, value in values.items():
         found = driver.get_parameter(name).value
@@ -154,7 +56,7 @@ def require_start(exercise: Exercise) -> None:
     @exercise.require('`ros2 launch` can run the file, which starts your driver, once', see=TYPES)
     def starts(trial: Trial) -> None:
         try:
-            launch(trial).start(trial)
+            launch(trial, OURS).start(trial)
         except NotYet as error:
             raise NoUse(error.expected, error.happened) from None
 
@@ -256,7 +158,7 @@ def has_default(trial: Trial) -> None:
 
 @take.require('with `params_file:=…`, it starts with what that file says', see=ARGUMENT)
 def takes_file(trial: Trial) -> None:
-    arguments = launch(trial).arguments
+    arguments = launch(trial, OURS).arguments
     expect('params_file' in arguments, 'an argument `params_file`, which the launch file declares',
            'it declares ' + (', '.join(f'`{each}`' for each in arguments) or 'none'))
     expect_start(trial, GIVEN, 'Does `parameters` take the file from the argument?', parameter_file(GIVEN))
@@ -267,7 +169,7 @@ def rejects_missing(trial: Trial) -> None:
     take_for_granted(trial, takes_file)
     with contextlib.suppress(NoUse):
         try:
-            launched = launch(trial, '')
+            launched = launch(trial, OURS, '')
         except NotYet as error:
             if re.search('No such file', error.happened):
                 return

@@ -8,10 +8,9 @@ from typing import Any
 from rclpy.node import Node
 
 from param_tools.files.parsing import Parser
-from param_tutorial.exercises.chapters.ch07_2 import CONFIG, launch
 from param_tutorial.exercises.exercise import LIST, TEXT, Exercise
 from param_tutorial.exercises.expectations import expect_text
-from param_tutorial.exercises.steps import PACKAGE, class_of
+from param_tutorial.exercises.steps import CONFIG, PACKAGE, class_of, launch
 from param_tutorial.exercises.trial import CORNER, NotTried, NotYet, NoUse, Trial, expect, take_for_granted
 from param_tutorial.learner.package_files import our_copy
 
@@ -92,7 +91,7 @@ def launched(trial: Trial, name: str, config: str = '', **arguments: str) -> Nod
 
     :param config: The text of another file, for the argument ``params_file``.
     """
-    found = launch(trial, config or None, text_of(trial, CONFIG), **arguments)
+    found = launch(trial, text_of(trial, CONFIG), config or None, **arguments)
     node = found.start(trial)
     words = ''.join(f' {argument}:={value}' for argument, value in arguments.items())
     expect(name_of(node) == name, f'`{name}`' + (f' with `{words.strip()}`' if words else ' without arguments'),
