@@ -23,8 +23,9 @@ def test_value_of_an_override(ros, text, kind, value):
 
 
 def test_an_override_may_be_for_one_node_and_the_last_one_counts(ros):
-    ros.init('-p', 'a:=1', '-p', 'node:b:=2', '-p', 'other:b:=3', '-p', 'a:=4', '-p', 'x.y:=5')
-    assert overrides(ros.node()) == {'a': ('INTEGER', 4), 'b': ('INTEGER', 2), 'x.y': ('INTEGER', 5)}
+    ros.init('-p', 'a:=1', '-p', 'node:b:=2', '-p', 'other:b:=3', '-p', 'a:=4', '-p', 'x.y:=5', '-p', 'qos./a.b:=6')
+    assert overrides(ros.node()) == {
+        'a': ('INTEGER', 4), 'b': ('INTEGER', 2), 'x.y': ('INTEGER', 5), 'qos./a.b': ('INTEGER', 6)}
     own = ['--ros-args', '-p', 'a:=text']
     assert overrides(ros.node('mine', cli_args=own))['a'] == ('STRING', 'text')
     assert overrides(ros.node('alone', cli_args=own, use_global_arguments=False)) == {'a': ('STRING', 'text')}

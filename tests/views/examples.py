@@ -6,7 +6,6 @@ from param_tutorial.views.cart import cart_on_trip
 from param_tutorial.views.drawing import driving, track
 from param_tutorial.views.drawing.calls import Call, Line, draw_calls
 from param_tutorial.views.drawing.ladder import draw_ladder
-from param_tutorial.views.drawing.lifts import draw_lifts
 from param_tutorial.views.drawing.number_line import Attempt, Scale, draw_number_line
 from param_tutorial.views.drawing.plane import Way, draw_plane
 from param_tutorial.views.drawing.plots import Band, LinePlot
@@ -55,9 +54,6 @@ DIAGRAMS = {
     'ladder_out_of_range': draw_ladder('/robot', 'speed', _OUT_OF_RANGE, 'out of range'),
     'ladder_exception': draw_ladder('/robot', 'speed', _RAISED, 'TypeError: no'),
     'ladder_late_exception': draw_ladder('/robot', 'speed', _RAISED_LATE, 'ValueError: no'),
-    'lifts': draw_lifts({'before': [(0, 0.0), (1, .2), (2, .7), (3, 1.2), (4, 1.3)],
-                         'after': [(0, 0.0), (1, .2), (2, .4), (3, .6), (4, .7)]},
-                        {0: '0.2 m/s', 1: '0.5 m/s with 900 kg: rejected', 3: '0.1 m/s'}),
     'number_line': draw_number_line('/gripper', 'opening_mm', Scale(0, 85, 10), 40),
     'number_line_accepted': draw_number_line('/gripper', 'opening_mm', Scale(0, 85, 10), 80, before=40,
                                              request=Attempt(85, '85')),

@@ -24,7 +24,8 @@ _REMAP = re.compile(
     rf'(?:(?P<kind>rostopic|rosservice)://)?(?P<match>{_NAME}):=(?P<to>{_NAME}))')
 _PARAMETER_PART = r'(?!__)[A-Za-z_][A-Za-z0-9_]*'
 _PARAMETER = re.compile(
-    rf'(?:(?P<node>{_TOKEN}):)?(?P<name>/?{_PARAMETER_PART}(?:[./]{_PARAMETER_PART})*/?):=(?P<value>.*)', re.DOTALL)
+    rf'(?:(?P<node>{_TOKEN}):)?(?P<name>(?:/|{_PARAMETER_PART})(?:\.?/|(?:\.|(?<=/)){_PARAMETER_PART})*)'
+    r':=(?P<value>.*)', re.DOTALL)
 _ALL_NODES = '/**'
 _LEVEL = re.compile(r'(?:(?P<logger>.*):=)?(?P<level>[^:=]*)', re.DOTALL)
 

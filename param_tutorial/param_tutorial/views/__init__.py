@@ -12,7 +12,6 @@ with lazy.Imports(__name__) as _imports:
     from param_tutorial.views.drawing.step_response import plot_responses as plot_responses
     from param_tutorial.views.events import EventView as EventView
     from param_tutorial.views.ladder import LadderView as LadderView
-    from param_tutorial.views.lifts import LiftsView as LiftsView
     from param_tutorial.views.number_line import NumberLineView as NumberLineView
     from param_tutorial.views.plane import PlaneView as PlaneView
     from param_tutorial.views.set_recorder import record_change as record_change

@@ -1,405 +1,439 @@
-"""Exercises of chapter 8: fill in a declaration, repair a node, find the practice that would have prevented a
-complaint, and write a whole program."""
+"""Exercises of chapter 8: tests of the reader's own, the driver's limits as one object, and what users can't change.
 
-import contextlib
+The reader's tests run as a program: by pytest, or, in a page, which has none, as pytest calls them. They have to pass
+on the reader's package, and to fail on packages that are broken on purpose.
+"""
+
+import dataclasses
 import re
-from collections.abc import Callable
+import shutil
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+from weakref import WeakKeyDictionary
 
-from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
-from rclpy.parameter import Parameter
 
-from param_tools.descriptor import is_housekeeping
-from param_tools.errors import CallbackError
-from param_tools.values import DOUBLE, STRING
-from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
+from param_tools.ros import interrupts
+from param_tools.ros.waiting import wait
+from param_tutorial.exercises.exercise import NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import (
+    WithSecondJudge,
+    derive,
     expect_accepted,
-    expect_declared,
-    expect_filled,
-    expect_follows,
-    expect_left_alone,
-    expect_range,
-    expect_range_fields,
     expect_rejected,
-    expect_result,
-    expect_start_value,
     format_found,
-    take_type_for_granted,
 )
-from param_tutorial.exercises.programs import (
-    PROGRAM,
-    expect_logs,
-    expect_no_start,
-    require_ends,
-    require_program,
-    running,
-)
-from param_tutorial.exercises.trial import NoStart, NotTried, NotYet, NoUse, Trial, expect, overrides, take_for_granted
+from param_tutorial.exercises.steps import PACKAGE, Bench, class_of, expect_speed
+from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, expect, overrides, take_for_granted
+from param_tutorial.learner.package_files import PackageFiles, ours
+from param_tutorial.notebook.terminal import Terminal
 
 CHAPTER = '08_best_practices'
-DECLARE = 'Practice 1: declare everything, with a default that works'
-DESCRIBE = 'Practice 2: let the descriptor do the checking'
-JUDGE = 'Practice 3: judge first, act afterwards'
-GROUP = 'Practice 4: group names with dots'
+NOTICES = 'A test that notices'
+WHOLE = 'One object, replaced as a whole'
+NOT_ONE = 'What is not a parameter'
+TWICE = 'Declared twice'
+FILE, DRIVER, CONFIG = 'test/test_parameters.py', 'my_robot/driver_node.py', 'config/my_robot.yaml'
+SPEED, STOP, BRAKING = 'max_speed_mps', 'stop_distance_m', 'braking_mps2'
 
-SPEED, GAP = 'belt.speed_mps', 'belt.gap_m'
-
-repair = Exercise('8b', 'Repair a conveyor', CHAPTER, NODE_CLASS, node_name='conveyor', hints=(
-    'Begin with the declarations: new names with a dot, defaults with a dot, a range and a description for each. Only '
-    'then look at the callback.',
-    "In the callback, hold what would be stored against the rule: `new = {p.name: p.value for p in parameters}`, then "
-    "`new.get('belt.gap_m', stored)`. It changes nothing.",
-    "The line that moves the motor goes into a callback that is registered with `add_post_set_parameters_callback`, "
-    "and reads `get_parameter('belt.speed_mps')` there.",
-    'For the start, call `self.validate([])` after the declarations, and raise an error if it is not successful: an '
-    'empty request judges what is stored.'))
+# What runs the tests of several packages: a line for each test, and one in front of each package.
+_RUN = '''
+import importlib.util
+import runpy
+import sys
 
 
-@repair.require('it starts without a file, and the belt stands still', see=DECLARE)
-def starts_alone(trial: Trial) -> None:
-    motor = getattr(trial.start(), 'motor_mps', None)
-    expect(motor == 0.0, '`self.motor_mps` is `0.0`', f'it is {format_found(motor)}')
+def note(name, error):
+    words = ' '.join(str(error).split()) or type(error).__name__
+    print('FAILED' if error else 'PASSED', name, words if error else '', flush=True)
 
 
-@repair.require('the group `belt` holds `speed_mps` and `gap_m`, both doubles', see=GROUP)
-def grouped(trial: Trial) -> None:
-    client = trial.client(trial.start())
-    found = client.get_parameters(client.list_parameters(['belt']))
-    wanted = {SPEED: 0.0, GAP: 0.5}
-    if missing := [f'`{name}`' for name in wanted if name not in found]:
-        raise NoUse(f'`{SPEED}` and `{GAP}`', f'there is no {" and no ".join(missing)}')
-    are_doubles(trial)
-    for name, value in wanted.items():
-        expect(found[name] == value, f'`{name}` is `{value!r}` at first', f'it is `{found[name]!r}`')
+class Notes:
+    def pytest_runtest_logreport(self, report):
+        if report.when == 'call' or report.failed:
+            crash = getattr(report.longrepr, 'reprcrash', None)
+            words = (crash.message if crash else report.longrepr) if report.failed else ''
+            note(report.nodeid.rpartition('::')[2], words)
+
+    def pytest_collectreport(self, report):
+        if report.failed:
+            note('the file', str(report.longrepr).strip().splitlines()[-1].removeprefix('E   '))
 
 
-def are_doubles(trial: Trial) -> None:
-    """Expect both parameters of the group to be doubles."""
-    client = trial.client(trial.start())
-    for name in (SPEED, GAP):
-        label = client.describe_parameter(name).type.label
-        expect(label == 'double', f'`{name}` is a double',
-               f'it is of type {label}: the default decides, whatever the descriptor says')
-
-
-@repair.require('values outside of 0 to 2 and 0 to 1 are rejected by a range', see=DESCRIBE)
-def limited(trial: Trial) -> None:
-    take_for_granted(trial, are_doubles)
-    takes_what_it_should(trial)
-    conveyor = trial.start()
-    for name, highest in ((SPEED, 2.0), (GAP, 1.0)):
-        expect_range_fields(conveyor, name)
-        for bad in (-0.5, highest + 0.5):
-            expect_rejected(trial, conveyor, {name: bad})
-        expect_range(trial.client(conveyor), name, 0.0, highest)
-
-
-def takes_what_it_should(trial: Trial) -> None:
-    """Expect speeds and gaps within the limits to be accepted, where the rule allows them."""
-    conveyor = trial.start()
-    for name, highest in ((SPEED, 2.0), (GAP, 1.0)):
-        for good in (highest, 0.37 * highest):
-            expect_accepted(trial, conveyor, {name: good})
-
-
-@repair.require('the serial number is fixed, and each parameter is described', see=DESCRIBE)
-def described(trial: Trial) -> None:
-    client = trial.client(trial.start())
-    own = [name for name in client.list_parameters() if not is_housekeeping(name)]
-    expect('serial_number' in own, '`serial_number` is there', 'there is no such parameter any more')
-    told = client.describe_parameters(own)
-    expect(told['serial_number'].read_only, '`serial_number` is read-only', 'anybody can change it')
-    number = client.get_parameter('serial_number')
-    expect(number == 'CB-0007', '`serial_number` is still `CB-0007`', f'it is `{number!r}`')
-    silent = [f'`{name}`' for name in own if not told[name].description.strip().strip('.…')]
-    expect(not silent, 'a description for each', f'there is none for {", ".join(silent)}')
-
-
-@repair.require('above 1 m/s a gap below 0.3 m is rejected, with a reason', see=JUDGE)
-def judges(trial: Trial) -> None:
-    take_for_granted(trial, are_doubles, takes_what_it_should)
-    conveyor = trial.start()
-    together = '. Both are proposed together, so judge them together'
-    for bad in ({SPEED: 1.5, GAP: 0.1}, {GAP: 0.29, SPEED: 1.125}):
-        expect_rejected(trial, conveyor, bad)
-    expect_accepted(trial, conveyor, {SPEED: 1.0, GAP: 0.1})
-    expect_rejected(trial, conveyor, {SPEED: 1.5})
-    expect_accepted(trial, conveyor, {GAP: 0.3})
-    expect_accepted(trial, conveyor, {SPEED: 1.5}, '. A gap of 0.3 m is enough')
-    expect_accepted(trial, conveyor, {SPEED: 0.5})
-    expect_accepted(trial, conveyor, {GAP: 0.1})
-    expect_accepted(trial, conveyor, {SPEED: 1.5, GAP: 0.3}, together)
-    expect_rejected(trial, conveyor, {GAP: 0.2})
-    expect_accepted(trial, conveyor, {GAP: 0.2, SPEED: 0.75}, together)
-    expect_accepted(trial, conveyor, {GAP: 0.9, SPEED: 2.0}, together)
-    expect_accepted(trial, conveyor, {SPEED: 1.25})
-
-
-@repair.require('the motor follows what is stored, and only that', see=JUDGE)
-def acts_late(trial: Trial) -> None:
-    take_for_granted(trial, are_doubles, takes_what_it_should)
-    conveyor = expect_follows(trial, 'motor_mps', [
-        ({SPEED: 0.5}, 0.5), ({SPEED: 0.0}, 0.0), ({SPEED: 0.4}, 0.4), ({GAP: 0.4}, 0.4), ({SPEED: 0.6, GAP: 0.5}, 0.6),
-        ({GAP: 0.6, SPEED: 0.7}, 0.7)])
-    accepted = False
-    with contextlib.suppress(CallbackError):  # the requirement for the rule says so
-        accepted = trial.client(conveyor).set_parameters_atomically({SPEED: 1.5, GAP: 0.1})[0].successful
-    if not accepted:
-        motor = getattr(conveyor, 'motor_mps', None)
-        expect(motor == 0.7, '`self.motor_mps` stays `0.7` when the callback rejects a speed',
-               f'it became {format_found(motor)}: an on-set callback has only a proposal')
-    expect_left_alone(trial, conveyor, 'motor_mps', {SPEED: 0.8})
-    motor = getattr(trial.start(), 'motor_mps', None)
-    if motor is None:  # the first requirement says so
+def call_each(path):
+    try:
+        tests = runpy.run_path(path)
+    except Exception as error:
+        note('the file', f'{type(error).__name__}: {error}')
         return
-    expect(motor == 0.0, 'the belt of the next conveyor stands still at first',
-           f'its motor runs at {format_found(motor)}. Does each conveyor have a motor of its own?')
-    motor = trial.start(ros_args=['-p', f'{SPEED}:=0.9']).motor_mps
-    expect(motor == 0.9, f'`self.motor_mps` is `0.9` after a start with `-p {SPEED}:=0.9`',
-           f'it is {format_found(motor)}')
+    for name, test in tests.items():
+        if name.startswith('test_') and callable(test):
+            try:
+                test()
+                note(name, '')
+            except Exception as error:
+                note(name, f'{type(error).__name__}: {error}')
 
 
-@repair.require('with start values that the rule forbids it does not start', see=JUDGE)
-def judges_the_start(trial: Trial) -> None:
-    take_for_granted(trial, are_doubles, takes_what_it_should)
-    trial.start(ros_args=start_with(1.5, 0.5))
-    for speed, gap in ((1.5, 0.1), (1.125, 0.29)):
-        words = start_with(speed, gap)
-        with contextlib.suppress(NoStart):
-            trial.start(ros_args=words)
-            raise NotYet(f'with `{" ".join(words)}` the conveyor ends in its constructor',
-                         'it has started. An on-set callback that is registered after the declarations never sees the '
-                         'start values')
+folder, *roots = sys.argv[1:]
+for root in roots:
+    print('PACKAGE', flush=True)
+    for name, module in list(sys.modules.items()):
+        if name.partition('.')[0] == 'my_robot' or str(getattr(module, '__file__', '')).startswith(folder):
+            del sys.modules[name]
+    sys.path.insert(0, root)
+    path = f'{root}/test/test_parameters.py'
+    if importlib.util.find_spec('pytest'):
+        import pytest
+        pytest.main([path, '-c', f'{root}/setup.cfg', '--rootdir', root, '--import-mode', 'importlib', '-p',
+                     'no:cacheprovider', '-p', 'no:terminal'], plugins=[Notes()])
+    else:
+        call_each(path)
+    sys.path.remove(root)
+'''
+# How long all of it may take; importing rclpy takes seconds on a slow machine.
+_LIMIT_SEC = 30.0
 
+# What breaks a driver; it stands after its file, with the name of its class.
+JUDGES_NOTHING = '{0}.add_on_set_parameters_callback = lambda *_: None'
+ACTS_NEVER = '{0}.add_post_set_parameters_callback = lambda *_: None'
+ACTS_AT_ONCE = '''
+def _init(node, init={0}.__init__):
+    import dataclasses
 
-def start_with(speed: float, gap: float) -> list[str]:
-    """Return the words that start a conveyor with these values."""
-    return overrides({SPEED: speed, GAP: gap})
+    from rcl_interfaces.msg import SetParametersResult
 
-
-class Belt(Node):
-    """A belt that follows one of the seven practices, and no other; a class of its own for each, see ``belt``."""
-
-    follows: int
-
-    def __init__(self) -> None:
-        super().__init__('belt')
-        default = 0.5 if self.follows == 1 else Parameter.Type.DOUBLE
-        self.declare_parameter('speed_mps', default, self.limits(0.0, 2.0))
-        self.declare_parameters('controller' if self.follows == 4 else '', [('kp', 2.0), ('ki', 0.1)])
-        if self.follows != 7:
-            self.declare_parameter('gravity_mps2', 9.81, self.limits(9.7, 9.9))
-        self.motor_mps: float = self.get_parameter('speed_mps').value
-        self.add_on_set_parameters_callback(self.validate)
-        self.add_post_set_parameters_callback(self.react)
-
-    def limits(self, lowest: float, highest: float) -> ParameterDescriptor:
-        ranges = [FloatingPointRange(from_value=lowest, to_value=highest)] if self.follows == 2 else []
-        return ParameterDescriptor(floating_point_range=ranges)
-
-    def validate(self, parameters: list[Parameter]) -> SetParametersResult:
-        for parameter in parameters:
-            if parameter.name == 'speed_mps' and self.follows != 3:
-                self.motor_mps = parameter.value
-            if parameter.name == 'kp' and parameter.value < 0.0:
-                return SetParametersResult(successful=False, reason='kp must not be negative')
+    def act(parameters):
+        new = {{each.name: each.value for each in parameters if hasattr(node.limits, each.name)}}
+        node.limits = dataclasses.replace(node.limits, **new)
         return SetParametersResult(successful=True)
 
-    def react(self, _: list[Parameter]) -> None:
-        self.motor_mps = self.get_parameter('speed_mps').value
+    init(node)
+    node.add_on_set_parameters_callback(act)
 
 
-def belt(follows: int) -> type[Belt]:
-    """Return the class of belts that follow a practice.
+{0}.__init__ = _init
+'''
 
-    :param follows: Its number, from 1.
+
+class _TimeIsUp(BaseException):
+    """Ends tests that don't end. No Exception, lest a test catches it."""
+
+
+def run_tests(trial: Trial, *changes: Mapping[str, str]) -> list[dict[str, str]]:
+    """Run the learner's tests on copies of their package.
+
+    :param changes: For each copy, the files that are others in it, with their texts.
+    :return: For each copy, what each test said; nothing if it passed.
+    :raises NoUse: there are none, or they don't end.
     """
-    return type('Belt', (Belt,), {'follows': follows})
+    files: PackageFiles = trial.work
+    if not files.text(FILE).strip():
+        raise NoUse(f'a file `{FILE}` in your package', 'there is none, or nothing in it')
+    with tempfile.TemporaryDirectory() as folder:
+        roots = []
+        for number, changed in enumerate(changes):
+            root = Path(folder, str(number), files.root.name)
+            shutil.copytree(files.root, root, ignore=shutil.ignore_patterns('__pycache__', '.*'))
+            for name, text in changed.items():
+                (root / name).write_text(text, encoding='utf-8')
+            roots.append(str(root))
+        program = Path(folder, 'run.py')
+        program.write_text(_RUN, encoding='utf-8')
+        # A plugin of somebody's installation has no say, and no other node is to be found. In a page it has ended when
+        # this returns: the limit ends a test that spins.
+        with interrupts.time_limit(_LIMIT_SEC, _TimeIsUp):
+            terminal = Terminal(f'python3 {program} {folder} {" ".join(roots)}', variables={
+                'PYTEST_DISABLE_PLUGIN_AUTOLOAD': '1', 'ROS_AUTOMATIC_DISCOVERY_RANGE': 'OFF'})
+        has_ended = wait(lambda: not terminal.is_running, _LIMIT_SEC)
+        terminal.interrupt()
+        text = terminal.text
+    if not has_ended:
+        raise NoUse('tests that end', 'they were still running after some seconds. Does one of them spin?')
+    results: list[dict[str, str]] = []
+    for line in text.splitlines():
+        if line == 'PACKAGE':
+            results.append({})
+        elif match := re.match(r'(?:PASSED|FAILED) (the file|\S+) ?(.*)', line):
+            results[-1][match[1]] = match[2]
+    if len(results) < len(changes):
+        raise NoUse('tests that end', text[-300:])
+    return results
 
 
-find = Exercise('8c', 'Which practice would have prevented it?', CHAPTER, DICTIONARY, hints=(
-    'Name the practice that you believe in, by its number: a wrong guess costs nothing, the check tries it out.',
-    'Practices 5 and 6 are for readers and for launches. No complaint is about these.',
-    'Ask of each: when did it hurt? At the start, at a wrong value, at a rejection, in a list, or at a knob that '
-    'should not be there?'))
+def expect_green(results: Mapping[str, str]) -> None:
+    """Expect the tests to pass on the learner's own package.
 
-# Does again what a complaint is about, with a belt, and returns what happened; nothing if all was well.
-Reenact = Callable[[Trial, type[Belt]], str]
-
-
-def require_practice(complaint: str) -> Callable[[Reenact], Reenact]:
-    """Add the requirement to name the practice with which a complaint would not have come up.
-
-    The decorated function does again what the complaint is about, on a belt that follows one practice. If the complaint
-    still holds, it returns what happened.
+    :raises NoUse: there are none.
     """
-    def add(still: Reenact) -> Reenact:
-        # A link to the practice would give the answer away.
-        @find.require(f'“{complaint}”', see='What you can do now')
-        def examine(trial: Trial) -> None:
-            given = trial.work.get(complaint, ...)
-            expect(given is not ..., '', 'there is no answer yet')
-            practice = _practice(given)
-            expect(practice, 'the number of a practice, 1 to 7', f'there is `{given!r}`')
-            words = still(trial, belt(practice))
-            expect(not words, 'a practice with which that does not happen',
-                   f'a belt that follows practice {practice}, and no other: {words}')
-        return still
-    return add
+    if words := results.get('the file'):
+        raise NoUse('a file that Python can import', words)
+    expect(results, 'a function whose name begins with `test_`', 'there is none')
+    failed = [f'`{name}` fails: {words}' for name, words in results.items() if words]
+    expect(not failed, 'each test passes on your package', '; '.join(failed))
 
 
-def _practice(given: object) -> int:
-    """Return the number of the practice that an answer means; 0 if it means none. 3, 3.0 and '3' mean the same."""
-    text = str(given).strip().removesuffix('.0')
-    return int(text) if text in {'1', '2', '3', '4', '5', '6', '7'} else 0
+def expect_red(results: Mapping[str, str], what: str) -> None:
+    """Expect one of the tests to fail on a package that is broken.
+
+    :param what: What is wrong with it.
+    """
+    expect(any(results.values()), 'one of your tests fails', f'each of them passes {what}')
 
 
-def started(trial: Trial, belt_class: type[Belt]) -> Belt:
-    """Start a belt as its author does, with what the file holds."""
-    return trial.start(belt_class, ros_args=['-p', 'speed_mps:=0.5'])
+def driver_class(trial: Trial) -> type[Node]:
+    """Return the class of the learner's driver.
+
+    :raises NoUse: there is none.
+    """
+    return class_of(trial.work.path('driver_node.py'))
 
 
-@require_practice('I started the belt with ros2 run, without a file, and it died at once.')
-def does_not_start(trial: Trial, belt_class: type[Belt]) -> str:
+def broken_driver(trial: Trial, *breaks: str) -> dict[str, str]:
+    """Return the learner's driver, and what breaks it."""
+    name = driver_class(trial).__name__
+    return {DRIVER: '\n'.join([trial.work.text('driver_node.py'), *(each.format(name) for each in breaks)])}
+
+
+def earlier_driver(trial: Trial, step: str) -> dict[str, str]:
+    """Return our driver as it was after a step, with the name of the learner's class."""
+    name = driver_class(trial).__name__
+    return {DRIVER: '\n'.join([ours(step)[DRIVER], '' if name == 'Driver' else f'{name} = Driver', ''])}
+
+
+def start_driver(trial: Trial, *words: str, node_class: type[Node] | None = None) -> Any:
+    """Start the learner's driver."""
+    return trial.start(node_class or driver_class(trial), ros_args=words)
+
+
+tests = Exercise('8a', 'Two tests', CHAPTER, PACKAGE, hints=(
+    'Write the lines above `test_it_starts_with_each_file` into the file as they are. Inside `with started(…)`, read '
+    "the file a second time: `block, = yaml.safe_load(path.read_text()).values()`, then "
+    "`block['ros__parameters'].items()`.",
+    'For each name and value of the file: `assert driver.has_parameter(name)`, and then that '
+    '`driver.get_parameter(name).value` equals the value.',
+    'The second test starts a driver without words, calls '
+    "`answer, = driver.set_parameters([Parameter('max_speed_mps', value=2.0)])`, and asserts that "
+    '`answer.successful` is false.'))
+
+
+def _with(*lines: str) -> str:
+    return '\n'.join(['/**/driver:', '  ros__parameters:', *(f'    {each}' for each in lines), ''])
+
+
+_TYPO = _with('max_sped_mps: 0.8', 'rate_hz: 20')
+_BAD_FILES = {
+    'if `config/my_robot.yaml` says `max_sped_mps`': {CONFIG: _TYPO},
+    'if its key is `/**/drive`': {CONFIG: _TYPO.replace('driver', 'drive').replace('sped', 'speed')},
+    'if one more file, `config/night.yaml`, says `max_sped_mps`': {'config/night.yaml': _TYPO},
+    'if one more file, `config/race.yaml`, asks for 2.0 m/s and half a meter to brake': {
+        'config/race.yaml': _with('max_speed_mps: 2.0', 'stop_distance_m: 0.5', 'braking_mps2: 1.0')}}
+_results: 'WeakKeyDictionary[Trial, list[dict[str, str]]]' = WeakKeyDictionary()
+
+
+def results_of(trial: Trial) -> list[dict[str, str]]:
+    """Return what the tests say of the learner's package, then with each bad file, last without a judge; run once."""
+    if trial not in _results:
+        _results[trial] = run_tests(trial, {}, *_BAD_FILES.values(), broken_driver(trial, JUDGES_NOTHING))
+    return _results[trial]
+
+
+@tests.require('your tests pass on your package', see=NOTICES)
+def green(trial: Trial) -> None:
+    expect_green(results_of(trial)[0])
+
+
+@tests.require('one fails if a parameter file, whichever it is, has a typo or a value that the driver rejects',
+               see=NOTICES)
+def reads_files(trial: Trial) -> None:
+    take_for_granted(trial, green)
+    for what, results in zip(_BAD_FILES, results_of(trial)[1:-1], strict=True):
+        expect_red(results, what)
+
+
+@tests.require('one fails if the driver judges no request', see=NOTICES)
+def judged(trial: Trial) -> None:
+    take_for_granted(trial, green)
+    expect_red(results_of(trial)[-1], 'on your driver without its on-set callback')
+
+
+swap = Exercise('8b', 'One object', CHAPTER, PACKAGE, hints=(
+    'The test: keep `before = driver.limits`. A request that is rejected leaves `driver.limits == before`. After '
+    '`set_parameters_atomically` with 2.0 m/s and 2.5 m, `driver.limits == Limits(2.0, 2.5, 1.0)`.',
+    'Above the driver: `@dataclass(frozen=True)`, `class Limits:`, and three lines such as `max_speed_mps: float`.',
+    'A method `limits_with(self, parameters)` takes the stored values, lets those of the parameters replace them, and '
+    'returns `Limits(**values)`. The judge asks it about the request; the constructor and `act` store '
+    '`self.limits = self.limits_with([])`.',
+    '`drive` begins with `limits = self.limits`, and asks for no parameter.'))
+
+
+@swap.require('a test of yours fails on the driver of 8a, which has no `limits`', see=WHOLE)
+def fails_first(trial: Trial) -> None:
+    results, = run_tests(trial, earlier_driver(trial, '8a'))
+    expect(any('imits' in words for words in results.values()), 'a test about `driver.limits`',
+           next((f'`{name}` fails: {words}' for name, words in results.items() if words),
+                'each of your tests passes on that driver'))
+
+
+@swap.require('`self.limits` is a frozen `Limits`, made of the values of the start', see=WHOLE)
+def is_frozen(trial: Trial) -> None:
+    limits = limits_of(start_driver(trial, *overrides({SPEED: 0.75, STOP: 0.625})))
+    found = {name: getattr(limits, name, None) for name in (SPEED, STOP, BRAKING)}
+    expect(type(limits).__name__ == 'Limits', 'an object of the class `Limits`', f'it is {format_found(limits)}')
+    for name, value in {SPEED: 0.75, STOP: 0.625, BRAKING: 1.0}.items():
+        expect(found[name] == value, f'`limits.{name}` is `{value}` after a start with `{value}`',
+               f'it is {format_found(found[name])}')
     try:
-        trial.start(belt_class)
-    except NoUse as error:
-        return error.happened
-    return ''
+        setattr(limits, SPEED, 1.0)
+    except AttributeError:
+        return
+    raise NotYet(f'`limits.{SPEED} = 1.0` raises an exception', 'it is allowed. `@dataclass(frozen=True)` forbids it')
 
 
-@require_practice('I typed 50.0 and meant 0.5, and the belt took it.')
-def takes_everything(trial: Trial, belt_class: type[Belt]) -> str:
-    client = trial.client(started(trial, belt_class))
-    return 'it accepted 50.0 m/s' if client.set_parameter('speed_mps', 50.0).successful else ''
+def limits_of(driver: Any) -> Any:
+    """Return the limits of a driver.
+
+    :raises NoUse: it has none.
+    """
+    try:
+        return driver.limits
+    except AttributeError:
+        raise NoUse('`self.limits` once the constructor is done', 'the driver has no such attribute') from None
 
 
-@require_practice('My request was rejected, and the belt sped up all the same.')
-def acts_on_proposals(trial: Trial, belt_class: type[Belt]) -> str:
-    node = started(trial, belt_class)
-    gain = next(name for name in ('kp', 'controller.kp') if node.has_parameter(name))
-    trial.client(node).set_parameters_atomically({'speed_mps': 1.5, gain: -1.0})
-    return f'the motor runs at {node.motor_mps} m/s, and the parameter says 0.5' if node.motor_mps != 0.5 else ''
+@swap.require('what is stored replaces it as a whole, and what is rejected leaves it', see=WHOLE)
+def replaced(trial: Trial) -> None:
+    driver = start_driver(trial, node_class=derive(WithSecondJudge, driver_class(trial)))
+    before = limits_of(driver)
+    expect_rejected(trial, driver, {SPEED: 2.0})
+    expect(driver.limits == before, '`self.limits` stays as it is when the judge rejects 2.0 m/s',
+           f'it is {format_found(driver.limits)}')
+    expect_accepted(trial, driver, {SPEED: 2.0, STOP: 2.5})
+    after = driver.limits
+    expect((getattr(after, SPEED), getattr(after, STOP)) == (2.0, 2.5),
+           '`self.limits` has 2.0 m/s and 2.5 m once both are stored', f'it is {format_found(after)}')
+    expect(getattr(before, SPEED) == 0.5, 'the earlier object still says 0.5 m/s', 'it has changed')
+    driver.rejects = True
+    trial.client(driver).set_parameter(SPEED, 0.4)
+    expect(driver.limits == after, '`self.limits` stays as it is when a second judge rejects a value',
+           f'it is {format_found(driver.limits)}: an on-set callback has only a proposal')
 
 
-@require_practice('I wanted a list of just the controller gains, and got none.')
-def has_no_groups(trial: Trial, belt_class: type[Belt]) -> str:
-    names = trial.client(started(trial, belt_class)).list_parameters(['controller'])
-    return '' if names else 'the list of names that begin with `controller.` is empty'
+@swap.require('the robot drives by it', see=WHOLE)
+def drives(trial: Trial) -> None:
+    bench, driver = trial.start(Bench), start_driver(trial)
+    expect_accepted(trial, driver, {SPEED: 0.25})
+    expect_speed(trial, bench, 0.25, 'once `max_speed_mps = 0.25` is stored')
+    slower = dataclasses.replace(limits_of(driver), max_speed_mps=0.125, stop_distance_m=3.0)
+    trial.ros.run(lambda: setattr(driver, 'limits', slower), 'replace the limits')
+    expect_speed(trial, bench, 0.125, 'when the check puts limits with 0.125 m/s into `self.limits`',
+                 {0.25: 'Does `drive` still ask for a parameter?'})
+    bench.measure(2.0)
+    expect_speed(trial, bench, 0.0, '2.0 m before the wall, when `self.limits` says 3.0 m',
+                 {0.125: 'Does `drive` still ask for a parameter?'})
 
 
-@require_practice('Somebody set gravity to 0, and now the load weighs nothing.')
-def has_gravity(trial: Trial, belt_class: type[Belt]) -> str:
-    client = trial.client(started(trial, belt_class))
-    return 'it accepted a gravity of 0' if client.set_parameter('gravity_mps2', 0.0).successful else ''
+@swap.require('your tests pass, and one fails on a driver that acts too early or never', see=WHOLE)
+def tested(trial: Trial) -> None:
+    take_for_granted(trial, is_frozen)
+    own, never, early = run_tests(trial, {}, broken_driver(trial, ACTS_NEVER), broken_driver(trial, ACTS_AT_ONCE))
+    expect_green(own)
+    expect_red(never, 'on your driver without its post-set callback')
+    expect_red(early, 'on a driver that replaces `self.limits` before the judge has agreed')
 
 
-fill = Exercise('8a', 'Fill five gaps', CHAPTER, NODE_CLASS, node_name='fan', hints=(
-    'A group is a name in front, and a dot: the last line shows what this parameter is called.',
-    'The default, and both ends of a range for doubles, are doubles too. The description is any sentence that says '
-    'what the number means.'))
-FAN_SPEED = 'fan.speed'
+fixed = Exercise('8c', 'Out of reach', CHAPTER, PACKAGE, hints=(
+    "The tests: `with started('-p', 'braking_mps2:=0.8') as driver:`, and a request for 3.0 is not successful. And a "
+    "start with `'-p', 'qos_overrides./cmd_vel.publisher.depth:=1'`, after which `driver.commands.qos_profile.depth` "
+    'is 1; `commands` is what your driver calls its publisher.',
+    'In the driver, `read_only=True` goes into the descriptor of `braking_mps2`, and '
+    '`qos_overriding_options=QoSOverridingOptions.with_default_policies()` into `create_publisher`.'))
+_DEPTH = 'qos_overrides./cmd_vel.publisher.depth'
 
 
-@fill.require(f'`{FAN_SPEED}` is a double in a group `fan`, and the fan starts with 0.5', see=GROUP)
-def fan_grouped(trial: Trial) -> None:
-    expect_filled(trial)
-    fan = trial.start()
-    names = trial.client(fan).list_parameters()
-    expect(FAN_SPEED in names, f'a parameter `{FAN_SPEED}`', 'the node has none of that name')
-    others = [f'`{name}`' for name in names if name.startswith('fan.') and name != FAN_SPEED]
-    expect(not others, 'one parameter in the group `fan`', f'there is also {", ".join(others)}')
-    expect_rejected(trial, fan, {FAN_SPEED: 'full'})
-    expect_declared(trial, FAN_SPEED, DOUBLE, 0.5)
-    motor = getattr(fan, 'motor', None)
-    expect(motor == 0.5, '`self.motor` is `0.5`', f'it is {format_found(motor)}')
+@fixed.require('your tests fail on the driver of 8b', see=NOT_ONE)
+def fails_before(trial: Trial) -> None:
+    results, = run_tests(trial, earlier_driver(trial, '8b'))
+    expect(sum(bool(words) for words in results.values()) >= 2, 'two tests that fail there, one about the brakes and '
+           'one about the depth', f'{sum(bool(words) for words in results.values())} of your tests fails there')
 
 
-@fill.require('its range goes from 0.0 to 1.0', see=DESCRIBE)
-def fan_limited(trial: Trial) -> None:
-    fan = trial.start()
-    if trial.client(fan).describe_parameter(FAN_SPEED).type is not DOUBLE:
-        raise NotTried
-    expect_range_fields(fan, FAN_SPEED)
-    for good in (0.0, 1.0, 0.37):
-        expect_accepted(trial, fan, {FAN_SPEED: good})
-    for bad in (-0.5, 1.5):
-        expect_rejected(trial, fan, {FAN_SPEED: bad})
-    expect_range(trial.client(fan), FAN_SPEED, 0.0, 1.0)
+@fixed.require('a start chooses `braking_mps2`, and no request changes it', see=NOT_ONE)
+def braking_fixed(trial: Trial) -> None:
+    driver = start_driver(trial, *overrides({BRAKING: 0.5}))
+    held = driver.get_parameter(BRAKING).value
+    expect(held == 0.5, f'`{BRAKING}` is `0.5` after a start with that', f'it is `{held}`')
+    expect_rejected(trial, driver, {BRAKING: 3.0})
+    expect(driver.describe_parameter(BRAKING).read_only, f'`{BRAKING}` is read-only', 'its descriptor does not say so')
 
 
-@fill.require('it is described', see=DESCRIBE)
-def fan_described(trial: Trial) -> None:
-    told = trial.client(trial.start()).describe_parameter(FAN_SPEED).description
-    wanted = 'a sentence that says what the number means'
-    expect(told.strip().strip('.…'), wanted, 'there is none')
-    words = set(re.findall(r'\w+', told.casefold())) - {'a', 'the', 'of'}
-    expect(words - {'todo', 'tbd', 'fixme', 'xxx', 'description'}, wanted, f'there is only `{told}`')
-    expect(words - set(FAN_SPEED.split('.')), wanted, f'there is `{told}`, which the name says already')
+@fixed.require('a start chooses the depth of the publisher of `cmd_vel`', see=NOT_ONE)
+def depth_chosen(trial: Trial) -> None:
+    for depth in (10, 3):
+        words = overrides({_DEPTH.replace('/cmd_vel', f'{CORNER}/cmd_vel'): depth}) if depth != 10 else []
+        driver = start_driver(trial, *words)
+        publisher = next((each for each in driver.publishers if each.topic_name.endswith('/cmd_vel')), None)
+        if publisher is None:
+            raise NotYet('a publisher of `cmd_vel`', 'there is none')
+        found = publisher.qos_profile.depth
+        after = f'with `-p {_DEPTH}:={depth}`' if words else 'without words'
+        expect(found == depth, f'its depth is {depth} after a start {after}',
+               f'it is {found}. `create_publisher` takes `qos_overriding_options`')
 
 
-MIXER = '8d · A mixer from an empty file'
-TURNS, TILT = 'drum.speed_rpm', 'drum.tilt_deg'
-program = Exercise('8d', 'A mixer from an empty file', CHAPTER, PROGRAM, node_name='mixer', hints=(
-    'Follow the practices in their order: three declarations with a dot in the name where it belongs, a default and a '
-    'descriptor each; then the rule; then what happens once it is met.',
-    'Let one method judge a speed and a tilt. The constructor calls it with the start values, before it registers the '
-    'callbacks, and raises a `ValueError`; the on-set callback calls it with what would be stored.',
-    'The post-set callback logs what is stored: `self.get_logger().info(f"drum turns at {speed} rpm")`. `main` is '
-    'that of every node, and catches `KeyboardInterrupt` and `ExternalShutdownException`.'))
-require_program(program, 'mixer_node.py', MIXER)
+@fixed.require('your tests pass on your package', see=NOT_ONE)
+def green_again(trial: Trial) -> None:
+    expect_green(run_tests(trial, {})[0])
 
 
-@program.require(f'`{TURNS}` and `{TILT}` are doubles with a range', see=DESCRIBE)
-def drum(trial: Trial) -> None:
-    with running(trial, program) as mixer:
-        client = trial.client(mixer.node)
-        for name, start, highest in ((TURNS, 0.0, 30.0), (TILT, 15.0, 60.0)):
-            expect_start_value(client, name, DOUBLE, start)
-            expect_range(client, name, 0.0, highest)
+twice = Exercise('8d', 'Configured twice', CHAPTER, NODE_CLASS, node_name='server', hints=(
+    'A parameter that is there stays as it is: someone may have changed it meanwhile.',
+    '`if not self.has_parameter(name):`, and the declaration below it.'))
 
 
-@program.require('`serial_number` is fixed, but by a start, and each parameter is described', see=DESCRIBE)
-def mixer_described(trial: Trial) -> None:
-    with running(trial, program, '-p serial_number:=MX-0002') as mixer:
-        client = trial.client(mixer.node)
-        expect_start_value(client, 'serial_number', STRING, 'MX-0002')
-        expect_result(client, 'serial_number', 'MX-0003', 'read only')
-        told = client.describe_parameters([name for name in client.list_parameters() if not is_housekeeping(name)])
-        silent = [f'`{name}`' for name in told if not told[name].description.strip().strip('.…')]
-        expect(not silent, 'a description for each', f'there is none for {", ".join(silent)}')
+def configured(trial: Trial, *words: str) -> Any:
+    """Start the learner's server, and configure it."""
+    server = trial.start(ros_args=words)
+    configure(trial, server)
+    return server
 
 
-@program.require('above 20 rpm a tilt above 30° is rejected, with a reason', see=JUDGE)
-def mixer_judges(trial: Trial) -> None:
-    together = '. Both are proposed together, so judge them together'
-    with running(trial, program) as mixer:
-        take_type_for_granted(trial.client(mixer.node), DOUBLE, TURNS, TILT)
-        expect_accepted(trial, mixer.node, {TURNS: 30.0})
-        expect_accepted(trial, mixer.node, {TILT: 30.0}, '. A tilt of 30° is still allowed')
-        expect_rejected(trial, mixer.node, {TILT: 30.5})
-        expect_accepted(trial, mixer.node, {TILT: 45.0, TURNS: 20.0}, together)
-        expect_rejected(trial, mixer.node, {TURNS: 20.5})
-        expect_rejected(trial, mixer.node, {TILT: 60.0, TURNS: 30.0})
-        expect_accepted(trial, mixer.node, {TURNS: 25.0, TILT: 0.0}, together)
+def configure(trial: Trial, server: Any) -> None:
+    """Let a server configure itself, as its executor does.
+
+    :raises NotYet: that raises an exception.
+    """
+    trial.call('`configure`', trial.ros.run, server.configure, 'configure')
 
 
-@program.require('it does not start with what it would reject later', see=MIXER)
-def mixer_starts(trial: Trial) -> None:
-    with running(trial, program) as mixer:
-        take_type_for_granted(trial.client(mixer.node), DOUBLE, TURNS, TILT)
-    with running(trial, program, f'-p {TURNS}:=12.0 -p {TILT}:=45.0') as mixer:
-        expect_start_value(trial.client(mixer.node), TURNS, DOUBLE, 12.0)
-    expect_no_start(trial, program, f'-p {TURNS}:=25.0 -p {TILT}:=45.0')
+@twice.require('the first `configure` declares a speed for each controller, which an override can give', see=TWICE)
+def once(trial: Trial) -> None:
+    server = configured(trial, *overrides({'dock.max_speed_mps': 0.125}))
+    for name, value in {'follow.max_speed_mps': 0.5, 'dock.max_speed_mps': 0.125}.items():
+        expect(server.has_parameter(name), f'a parameter `{name}`', 'there is none')
+        found = server.get_parameter(name).value
+        expect(found == value, f'`{name}` is `{value}`', f'it is `{found}`')
 
 
-@program.require('it logs a speed once it is stored, and none that is rejected', see=JUDGE)
-def mixer_acts_late(trial: Trial) -> None:
-    expect_logs(trial, program, 'drum turns at {} rpm', TURNS, (17.5, 7.5, 27.5, 2.5), {TILT: 35.0},
-                f'-p {TILT}:=40.0')
+@twice.require('the second one works, and leaves what was set meanwhile', see=TWICE)
+def again(trial: Trial) -> None:
+    server = configured(trial)
+    expect_accepted(trial, server, {'follow.max_speed_mps': 0.25})
+    configure(trial, server)
+    found = server.get_parameter('follow.max_speed_mps').value
+    expect(found == 0.25, '`follow.max_speed_mps` is still `0.25`, which was set before the second `configure`',
+           f'it is `{found}`')
 
 
-require_ends(program, MIXER)
+@twice.require('a controller that has come meanwhile gets its speed too', see=TWICE)
+def one_more(trial: Trial) -> None:
+    server = configured(trial)
+    expect_accepted(trial, server, {'controllers': ['follow', 'dock', 'spin']})
+    configure(trial, server)
+    expect(server.has_parameter('spin.max_speed_mps'), 'a parameter `spin.max_speed_mps` after the second `configure`',
+           'there is none')
 
-EXERCISES = (fill, repair, find, program)
+
+EXERCISES = (tests, swap, fixed, twice)

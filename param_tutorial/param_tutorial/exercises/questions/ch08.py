@@ -1,8 +1,8 @@
-"""Predictions of chapter 8: what will hurt the next person."""
+"""Predictions of chapter 8: what goes wrong where nobody looks."""
 
 from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
-SOLVED = 'The next person who starts your node will not know whom to thank.'
+SOLVED = 'Your package says by itself when something is wrong with it.'
 
 RECALLS = (
     Recall('8-r1', 'An on-set callback accepts a speed and starts the motor with it. Then a second on-set callback '
@@ -12,71 +12,55 @@ RECALLS = (
         wrong('neither of them has it', 'Nothing takes back what the first callback did. The motor already runs with '
               'the proposal.')),
            chapter='5.2', section='Acting too early'),
-    Recall('8-r2', "The file says 180 rpm. A launch file has `parameters=[config, {'max_speed_rpm': 200}]`, where "
-           '`config` is that file. With which speed does the robot start?', (
-        right('200', 'Here the later source in the list wins.'),
-        wrong('180', 'Here the later source in the list wins, and that is the dictionary.')),
-           otherwise='200. Here the later source in the list wins, and that is the dictionary.',
-           chapter='7.2', section='The command line that a launch types'),
+    Recall('8-r2', 'The rule is `max_speed_mps ** 2 / 2 <= stop_distance_m`. The node holds 0.5 and 0.5, and someone '
+           'starts it with `-p max_speed_mps:=2.0`. Its judge is registered after the declarations. With which speed '
+           'does it start, if nothing else looks?', (
+        right('2.0', 'A callback judges requests. The override counted when the parameter was declared.'),
+        wrong('0.5', 'An override is not undone. It counted when the parameter was declared, before there was a '
+              'judge.')),
+           otherwise='2.0. The override counted when the parameter was declared, before there was a judge.',
+           chapter='5.2', section='Who judges the start?'),
 )
 
 PREDICTIONS = (
-    Prediction('8-1', '`Late` declares its speed on the first ride. Someone starts it, and sets the speed before any '
-               'ride. What is the answer?', (
-        wrong('It is accepted for later', 'An override at the start waits for a declaration. A value that someone sets '
-              'does not.'),
-        right('It is rejected at once', 'Before the first ride there is no such parameter, so it can be neither seen '
-              'nor set.'),
-        wrong('There is no such node', '`Late` starts. It has no such parameter until its first ride.'))),
-    Prediction('8-2', 'The descriptor of `before` says *double*, and its default is `0`. What does the node answer to '
-               'the sensible speed 0.3?', (
-        right('It rejects the speed 0.3', 'The default `0` has made it an integer, and the field `type` of the '
-              'descriptor was overwritten.'),
-        wrong('It accepts the speed 0.3', 'The default `0` has made it an integer, whatever the descriptor says. 0.3 '
-              'is a double.'),
-        wrong('It rounds the speed to 0', 'ROS converts nothing and rounds nothing. The value is of the wrong type.'))),
-    Prediction('8-3', 'The four requests are 0.2 m/s; 0.5 m/s with 900 kg, which both nodes reject; 500 kg; and 0.1 '
-               'm/s. How high, in meters, is the platform of `before` after four seconds?', (
-        right('1.3', 'It started its motor while it judged, and drove at 0.5 m/s for two seconds: 0.2 + 0.5 + 0.5 + '
-              '0.1.'),
-        wrong('0.7', 'That is the node `after`. The node `before` started its motor while it judged, and nothing '
-              'undoes that.'),
-        wrong('0.8', 'A rejection stops nothing. The motor of the node `before` runs on at the speed that was '
-              'rejected.'),
-        wrong('1.0', 'Nothing takes the motor back to 0.2 m/s: the third request sets only the load. The motor runs at '
-              '0.5 m/s for two seconds.')),
-        otherwise='It is at 1.3 m: 0.2 + 0.5 + 0.5 + 0.1. The node `before` started its motor while it judged, and '
-                  'nothing undoes that.'),
-    Prediction('8-4', '`Careful` judges its start values before it registers its callback, and the forks carry 800 kg. '
-               'What happens when it is started with 900?', (
-        right('It ends with an error', 'As it should be: its constructor holds the start values against the rule, and '
-              'raises an exception.'),
-        wrong('It starts with 900 kg', 'That is what `Patient` did, which judged changes only.'),
-        wrong('It starts with 300 kg', 'An override that is rejected is not replaced by the default. The constructor '
-              'raises an exception.'))),
-    Prediction('8-5', 'The dump holds `max speed`, `arm/left` and `gains..kp`. A new node starts with the file. How '
-               'many of the three come back?', (
-        right('0', 'The node does not start. Between the two dots is a part without a name, and rcl rejects the whole '
-              'file for it.'),
-        wrong('3', 'None. Between the two dots is a part without a name, and rcl rejects the whole file for it.'),
-        wrong('2', "None. rcl does not pass over what it can't read. It rejects the whole file."),
-        wrong('1', 'None. rcl accepts spaces and slashes. It is the part without a name between the two dots that it '
-              'rejects, and the whole file with it.')),
-        otherwise='None, and the node does not start. Between the two dots is a part without a name, and rcl rejects '
-                  'the whole file for it.'),
-    Prediction('8-6', 'The default is 300 kg, and 600 were meant. The command line says `-p lift.maxload_kg:=600.0`; '
-               'the parameter is `lift.max_load_kg`. How does the lift start?', (
-        wrong('with 600 kg', 'The two names differ by an underscore. The node ignores an override whose name it does '
-              'not declare.'),
-        right('with 300 kg', 'The node ignores an override whose name it does not declare, and logs nothing.'),
-        wrong('not at all', 'An unknown name among the overrides is not an error. The node ignores it and logs '
-              'nothing.'))),
-    Prediction('8-7', 'The launch file of the course starts in this scratch folder, too, which holds neither of the '
-               'two parameter files. How do the two lifts start?', (
-        wrong('each with its defaults', 'That was the path in `mine_launch.py`, which counts from the current folder. '
-              'This launch file asks the package for its share folder.'),
-        right('each with its own file', 'It works as it looks: the launch file asks the package for its share folder, '
-              'so the current folder does not matter.'),
-        wrong('neither of them starts', 'The launch file is installed with its package, and so are the two parameter '
-              'files.'))),
+    Prediction('8-1', '`night.yaml` says `max_sped_mps: 0.3`, and the default is 0.5. The driver starts with the file. '
+               'What is its `max_speed_mps`?', (
+        right('0.5', 'The node declares no `max_sped_mps`, so that override waits forever, and nobody hears of it.'),
+        wrong('0.3', 'The two names differ by a letter. The node ignores an override whose name it does not '
+              'declare.')),
+        otherwise='It is 0.5, the default: the node ignores an override whose name it does not declare.'),
+    Prediction('8-2', 'The node holds 0.5 m/s and 0.5 m. One atomic request sets 2.0 m/s and 2.5 m. With how many '
+               'meters to stop does `drive` see 2.0 m/s?', (
+        right('0.5', '`act` had written the speed and not yet the distance. The request was atomic; reading what came '
+              'of it was not.'),
+        wrong('2.5', 'The parameters change together, and the two attributes one after the other. `drive` ran in '
+              'between.')),
+        otherwise='It is 0.5 m: `act` had written the speed and not yet the distance.'),
+    Prediction('8-3', '`Early` is asked for 2.0 m/s. Its newer callback replaces `limits`, and then the judge rejects '
+               'the request. What is `limits.max_speed_mps`?', (
+        right('2.0', 'The newer callback was asked first, and nothing takes back what it did.'),
+        wrong('0.5', 'The parameter is still 0.5. The object was replaced before the judge was asked, and nobody puts '
+              'the old one back.')),
+        otherwise='It is 2.0: the newer callback was asked first, and nothing takes back what it did.'),
+    Prediction('8-4', 'Someone raises `braking_mps2` to 3.0, and then `max_speed_mps` to 1.7. The brakes of the base '
+               'can do 1.0. What happens?', (
+        wrong('The driver rejects 1.7 m/s', 'With 3.0 m/s² on paper, 0.48 m are enough, so the judge accepts it. The '
+              'base needs 1.44 m.'),
+        right('The robot drives into the wall', 'On paper 0.48 m are enough, so the judge accepts 1.7 m/s. The base '
+              'needs 1.44 m.'),
+        wrong('The robot stops half a meter away', 'The driver commands it to. The base needs 1.44 m, whatever a '
+              'parameter says.'))),
+    Prediction('8-5', 'The driver starts in the namespace `/left`, and publishes on the relative name `cmd_vel`. Which '
+               'parameter holds the depth?', (
+        wrong('qos_overrides./cmd_vel.publisher.depth', 'rclpy takes the full name of the topic, and in this namespace '
+              'that is `/left/cmd_vel`.'),
+        right('qos_overrides./left/cmd_vel.publisher.depth', 'rclpy takes the full name of the topic.'),
+        wrong('left.qos_overrides./cmd_vel.publisher.depth', 'The names of parameters do not get the namespace of '
+              'their node. The full name of the topic stands in this one.'))),
+    Prediction('8-6', 'The server is configured. Someone sets `follow.max_speed_mps` to 0.3, and it is configured '
+               'again. What does the second call do?', (
+        wrong('It sets it back to 0.5', 'A declaration is no request: a name that is there already can’t be declared.'),
+        wrong('It leaves it at 0.3', 'It gets no further than the first name: that is there already, and can’t be '
+              'declared again.'),
+        right('It raises an exception', 'The first name is declared already, and rclpy declares none twice.'))),
 )

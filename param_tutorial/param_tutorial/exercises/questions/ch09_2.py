@@ -16,7 +16,7 @@ RECALLS = (
     Recall('9.2-r2', 'Which callback may change the motor?', (
         wrong('the on-set callback', 'It judges a proposal, and the next judge may still reject it.'),
         right('the post-set callback', 'It runs when the value is stored.')),
-           chapter='8', section='Practice 3: judge first, act afterwards'),
+           chapter='8', section='One object, replaced as a whole'),
 )
 
 PREDICTIONS = (
