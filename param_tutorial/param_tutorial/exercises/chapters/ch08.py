@@ -47,7 +47,7 @@ import sys
 
 def note(name, error):
     words = ' '.join(str(error).split()) or type(error).__name__
-    print('FAILED' if error else 'PASSED', name, words if error else '', flush=True)
+    print('FAILED' if error else 'PASSED', name.replace(' ', '_'), words if error else '', flush=True)
 
 
 class Notes:
@@ -59,14 +59,14 @@ class Notes:
 
     def pytest_collectreport(self, report):
         if report.failed:
-            note('the file', str(report.longrepr).strip().splitlines()[-1].removeprefix('E   '))
+            note('the_file', str(report.longrepr).strip().splitlines()[-1].removeprefix('E   '))
 
 
 def call_each(path):
     try:
         tests = runpy.run_path(path)
     except Exception as error:
-        note('the file', f'{type(error).__name__}: {error}')
+        note('the_file', f'{type(error).__name__}: {error}')
         return
     for name, test in tests.items():
         if name.startswith('test_') and callable(test):
@@ -156,8 +156,8 @@ def run_tests(trial: Trial, *changes: Mapping[str, str]) -> list[dict[str, str]]
     for line in text.splitlines():
         if line == 'PACKAGE':
             results.append({})
-        elif match := re.match(r'(?:PASSED|FAILED) (the file|\S+) ?(.*)', line):
-            results[-1][match[1]] = match[2]
+        elif match := re.match(r'(?:PASSED|FAILED) (\S+) ?(.*)', line):
+            results[-1][match[1]] = results[-1].get(match[1]) or match[2]
     if len(results) < len(changes):
         raise NoUse('tests that end', text[-300:])
     return results
@@ -168,7 +168,7 @@ def expect_green(results: Mapping[str, str]) -> None:
 
     :raises NoUse: there are none.
     """
-    if words := results.get('the file'):
+    if words := results.get('the_file'):
         raise NoUse('a file that Python can import', words)
     expect(results, 'a function whose name begins with `test_`', 'there is none')
     failed = [f'`{name}` fails: {words}' for name, words in results.items() if words]
