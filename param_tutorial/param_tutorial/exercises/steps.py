@@ -25,6 +25,8 @@ from param_tutorial.package.following import FollowedPackage
 from param_tutorial.package.loading import LoadError, load_node_class
 
 LAUNCH, CONFIG = 'launch/my_robot_launch.py', 'config/my_robot.yaml'
+# The driver of chapter 5.2 takes a high speed only with a long distance; those before it have no such parameter.
+FAR = '-p', 'stop_distance_m:=5.0'
 
 
 def _path(work: FollowedPackage | PackageFiles, name: str) -> Path:

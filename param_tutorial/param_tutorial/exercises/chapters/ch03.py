@@ -19,6 +19,7 @@ from param_tutorial.exercises.programs import require_ends, require_program, run
 from param_tutorial.exercises.steps import (
     DRIVER,
     DRIVER_PROGRAM,
+    FAR,
     expect_commands,
     expect_start_speeds,
     start_on_bench,
@@ -32,10 +33,6 @@ DESCRIPTOR = 'Limits'
 DRIVE = 'Let it drive'
 WHOLE = 'From a class to a program'
 PUT_BACK = 'the node accepted it, and put the value back only afterward'
-
-
-# The driver of chapter 5.2 takes a high speed only with a long distance; those before it have no such parameter.
-FAR = '-p', 'stop_distance_m:=5.0'
 
 
 def start_with(trial: Trial, name: str, wanted: ParameterType) -> tuple[Any, ParameterClient]:

@@ -10,7 +10,6 @@ from param_tools import values
 from param_tools.node.client import ParameterClient
 from param_tools.ros.waiting import wait
 from param_tools.values import DOUBLE
-from param_tutorial.exercises.chapters.ch03 import FAR
 from param_tutorial.exercises.exercise import FUNCTION, Exercise
 from param_tutorial.exercises.expectations import (
     WithSecondJudge,
@@ -21,6 +20,7 @@ from param_tutorial.exercises.expectations import (
 )
 from param_tutorial.exercises.steps import (
     DRIVER,
+    FAR,
     Bench,
     expect_commands,
     expect_speed,
