@@ -11,6 +11,7 @@ from rcl_interfaces.msg import ParameterType, SetParametersResult
 from rcl_interfaces.srv import GetParameters
 from rclpy.exceptions import InvalidParameterException
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 
 from param_tutorial import ParameterClient, wait_until
 from param_tutorial.nodes.param_setter_node import ParamSetterNode
@@ -47,6 +48,13 @@ def test_a_name_alone_is_deprecated_and_the_parameter_takes_any_type(ros):
     assert client.describe_parameter('alone').dynamic_typing
     assert client.set_parameters({'alone': 3}).successful
     assert client.set_parameters({'alone': 'three'}).successful
+
+
+# A074
+def test_a_set_that_succeeds_has_no_reason(ros):
+    node = ros.add(SimpleParamNode)
+    result, = ros.run(lambda: node.set_parameters([Parameter('max_speed_rpm', value=90)]), 'set a parameter')
+    assert (result.successful, result.reason) == (True, '')
 
 
 # A127, A142

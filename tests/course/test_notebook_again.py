@@ -33,8 +33,8 @@ def _count():
     named = (f'{type(each).__module__}.{type(each).__qualname__}' for each in gc.get_objects())
     counted = collections.Counter(name for name in named if name.startswith(
         ('param_tutorial', 'rclpy', 'ipywidgets', 'ipykernel.comm')))
-    # rclpy leaves one behind of each node that a cell creates without the executor: in 8, 9.2 and 10.2.
-    left = {f'/{name}/get_type_description' for name in ('hasty', 'patient', 'lonely', 'dozing')}
+    # rclpy leaves one behind of each node that a cell creates without the executor: in 8 and 10.2.
+    left = {f'/{name}/get_type_description' for name in ('hasty', 'patient', 'dozing')}
     observer = executor.tool_node
     services = sum(observer.count_services(name) for name, _ in observer.get_service_names_and_types()
                    if name not in left)

@@ -1,5 +1,6 @@
 """Steps of the reader's own package as answers: the check makes the driver's node in its corner, and is its base."""
 
+import ast
 import contextlib
 import itertools
 import os
@@ -29,7 +30,11 @@ LAUNCH, CONFIG = 'launch/my_robot_launch.py', 'config/my_robot.yaml'
 FAR = '-p', 'stop_distance_m:=5.0'
 
 
-def _path(work: FollowedPackage | PackageFiles, name: str) -> Path:
+def file_of(work: FollowedPackage | PackageFiles, name: str) -> Path:
+    """Return the path of a file in the reader's package.
+
+    :raises NoUse: there is none, or nothing is in it.
+    """
     files = work.files if isinstance(work, FollowedPackage) else work
     if not files.text(name).strip():
         raise NoUse(f'a file `{name}` in your package', 'there is none, or nothing in it')
@@ -54,12 +59,27 @@ def _is_package(work: Any) -> bool:
 PACKAGE = Kind('your package, as `Package(...)` has returned it', _is_package, 'package',
                lambda work: getattr(work, 'files', work))
 """The files of the reader's package."""
-DRIVER = PACKAGE._replace(open=lambda work: class_of(_path(work, 'driver_node.py')))
+DRIVER = PACKAGE._replace(open=lambda work: class_of(file_of(work, 'driver_node.py')))
 """The class of nodes in the reader's driver."""
-DRIVER_PROGRAM = DRIVER._replace(open=lambda work: _path(work, 'driver_node.py'))
+DRIVER_PROGRAM = DRIVER._replace(open=lambda work: file_of(work, 'driver_node.py'))
 """The file itself, as a program."""
-TUNER = DRIVER._replace(open=lambda work: class_of(_path(work, 'tuner_node.py')))
-TUNER_PROGRAM = DRIVER._replace(open=lambda work: _path(work, 'tuner_node.py'))
+TUNER = DRIVER._replace(open=lambda work: class_of(file_of(work, 'tuner_node.py')))
+TUNER_PROGRAM = DRIVER._replace(open=lambda work: file_of(work, 'tuner_node.py'))
+
+
+def expect_entry_points(setup: Path, *names: str) -> None:
+    """Expect a ``setup.py`` that Python can read to make an executable of each node's file and its function ``main``."""
+    text = setup.read_text(encoding='utf-8')
+    try:
+        texts = {each.value for each in ast.walk(ast.parse(text)) if isinstance(each, ast.Constant)}
+    except SyntaxError as error:
+        raise NotYet('a `setup.py` that Python can read', f'{error.msg}, in line {error.lineno}') from None
+    for name in names:
+        line = f'{name} = my_robot.{name}:main'
+        # Python joins two strings that have no comma between them.
+        remark = '. Is there a comma between it and the other line?' if line in text else ''
+        expect(any(''.join(str(each).split()) == line.replace(' ', '') for each in texts),
+               f'`{line!r}` among the `console_scripts`', f'there is no such line{remark}')
 
 
 class Bench(Node):

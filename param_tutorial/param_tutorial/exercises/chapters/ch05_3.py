@@ -1,6 +1,5 @@
 """Exercises of chapter 5.3: the tuner asks the driver for a value, and sets a slower one; and reading an answer."""
 
-import ast
 import inspect
 import time
 from collections.abc import Mapping
@@ -27,7 +26,7 @@ from param_tutorial.exercises.expectations import (
     take_type_for_granted,
 )
 from param_tutorial.exercises.programs import require_program
-from param_tutorial.exercises.steps import TUNER, TUNER_PROGRAM, class_of
+from param_tutorial.exercises.steps import TUNER, TUNER_PROGRAM, class_of, expect_entry_points
 from param_tutorial.exercises.trial import (
     GROUP_IS_BUSY,
     STUCK,
@@ -285,17 +284,7 @@ require_program(tunes, 'tuner_node.py', TUNING)
 
 @tunes.require('`setup.py` names the executable `tuner_node`', see=TUNING)
 def is_installed(trial: Trial) -> None:
-    text = (Path(trial.work).parents[1] / 'setup.py').read_text(encoding='utf-8')
-    try:
-        texts = {each.value for each in ast.walk(ast.parse(text)) if isinstance(each, ast.Constant)}
-    except SyntaxError as error:
-        raise NotYet('a `setup.py` that Python can read', f'{error.msg}, in line {error.lineno}') from None
-    for name in ('tuner_node', 'driver_node'):
-        line = f'{name} = my_robot.{name}:main'
-        # Python joins two strings that have no comma between them.
-        remark = '. Is there a comma between it and the other line?' if line in text else ''
-        expect(any(''.join(str(each).split()) == line.replace(' ', '') for each in texts),
-               f'`{line!r}` among the `console_scripts`', f'there is no such line{remark}')
+    expect_entry_points(Path(trial.work).parents[1] / 'setup.py', 'tuner_node', 'driver_node')
 
 
 read = Exercise('5.3c', 'Read an answer', CHAPTER, FUNCTION, hints=(

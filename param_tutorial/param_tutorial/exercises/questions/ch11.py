@@ -9,7 +9,7 @@ RECALLS = (
            'value does the gain have?', (
         wrong('the tuned value', 'In ROS 1 a server kept it. In ROS 2 the values live in the node and go with it.'),
         right('its start value', 'The values live in the node and go with it.')),
-           chapter='9.2', section='When something dies'),
+           chapter='9', section='Where a value lives'),
     Recall('11-r2', '`get_parameters` is asked for three names, and one of them does not exist. What comes back?', (
         wrong('two of the three', 'Values come without names, so the gap would not show. rclpy sends none at all.'),
         right('none of the three', 'One unknown name empties the whole answer.'),

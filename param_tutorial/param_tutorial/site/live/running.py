@@ -25,8 +25,7 @@ _RUN = Path(__file__).with_name('run.mjs')
 EXPLAINED = {
     '02_workspace': {"exercises.check('2d', package)": 'no shell has changed the greeting'},
     '05_1_from_the_command_line': {'%ros2_terminal': 'no terminal finds the nodes of a page'},
-    '09_1_moving_from_ros1': {"Path('ros1.yaml').write_text(": "rcl's error names its own C files"},
-    '09_2_ros1_and_ros2': {"Path('saved.yaml').write_text(": "rcl's error names its own C files"},
+    '09_from_ros1': {"ros.add(Gripper, ros_args=['--params-file', 'old.yaml'])": "rcl's error names its own C files"},
 }
 _KEPT = {'_dom_classes', '_model_name', '_esm', '_css'}
 _DROPPED = {'layout', 'style', 'tabbable', 'tooltip', 'box_style', 'description', 'description_allow_html',
