@@ -1,40 +1,37 @@
 """Wrong answers that people give, and unusual right ones, to the exercises of chapter 10.1."""
 
+_SUBSCRIBE = ("        self.create_subscription(\n            ParameterEvent, '/parameter_events', self.on_event, "
+              'qos_profile_parameter_events)\n')
+
 WRONG = {
     '10.1a': [
-        # The same dictionary each time: what has been in it stays in it.
-        ([('    return {', '    changes.seen = getattr(changes, "seen", {})\n    changes.seen |= {'),
-          ('event.changed_parameters}', 'event.changed_parameters}\n    return changes.seen')],
-         0, "the function returns `{'speed': 7, 'last': 2}`"),
-        ([('parameter_value_to_python(parameter.value)', 'parameter.value.integer_value')],
-         2, "the function returns `{'speed': 7, 'offset': 0, 'label': 0, 'gains': 0,"),
-        ([('event.changed_parameters', 'event.changed_parameters + event.deleted_parameters')],
-         2, "the function returns `{'lamp': None}`"),
-        ([('return {', 'print({'), ('_parameters}', '_parameters})')],
-         0, 'the function returns `None`'),
-        ([('{parameter.name: parameter_value_to_python(parameter.value)',
-           '{parameter.name: str(parameter_value_to_python(parameter.value))')],
-         0, "the function returns `{'speed': '7'}`"),
-        ([('{parameter.name: parameter_value_to_python(parameter.value)',
-           '[(parameter.name, parameter_value_to_python(parameter.value))'), ('_parameters}', '_parameters]')],
-         0, "the function returns `[('speed', 7)]`"),
-        ([('def changes', 'async def changes')], 0, 'a call returns a coroutine'),
-        ([('    return {', '    while not event.new_parameters:\n        pass\n    return {')],
-         0, 'it was still running after'),
-        ([('changed_parameters', 'new_parameters')], 0, 'the function returns `{}`'),
-        ([('parameter_value_to_python(parameter.value)', 'parameter.value')], 0, "the function returns `{'speed':"),
-        ([('parameter.name', 'parameter')], 0, "TypeError: unhashable type: 'Parameter'"),
-        ([('event.changed_parameters', 'event')], 0, "TypeError: 'ParameterEvent' object is not iterable"),
-        ([('event.changed_parameters', 'event.changed_parameters + event.new_parameters')],
-         2, "the function returns `{'lamp': 0}`"),
-        ([('event.changed_parameters', 'event.changed_parameters[:1]')], 2, "the function returns `{'speed': 7}`"),
-        ([('parameter_value_to_python(parameter.value)', 'parameter_value_to_python(parameter)')],
-         0, "AttributeError: 'Parameter' object has no attribute 'type'"),
-        ([('changed_parameters', 'removed_parameters')],
-         0, "AttributeError: 'ParameterEvent' object has no attribute"),
-        ([(' for parameter in event.changed_parameters', '')], 0, "NameError: name 'parameter' is not defined"),
+        ([(_SUBSCRIBE, '')], 0, 'it does not'),
+        ([("'/parameter_events', self.on_event", "'/parameter_event', self.on_event")], 0, 'it does not'),
+        ([('self.on_event, qos_profile_parameter_events', 'self.on_event, 10')], 3, 'it is 10'),
+        ([("event.node == '/driver'", "event.node == 'driver'")], 1, 'it holds 0.9'),
+        ([("event.node == '/driver'", "event.node.startswith('/driver')")], 3, 'the driver has been asked for'),
+        ([("event.node == '/driver'", 'event.node')], 3, 'the driver has been asked for'),
+        ([('[*event.new_parameters, *event.changed_parameters]', 'event.changed_parameters')], 3, 'it holds 0.9'),
+        ([('[*event.new_parameters, *event.changed_parameters]', 'event.new_parameters')], 1, 'it holds 0.9'),
+        ([("parameter.name == 'max_speed_mps':\n                    self.slow",
+           'parameter.value:\n                    self.slow')], 3, 'the driver has been asked for'),
+        ([('self.slow_down(parameter_value_to_python(parameter.value))', 'self.ask()')], 1, 'it holds 0.9'),
+        ([('parameter_value_to_python(parameter.value)', 'parameter.value')], 0, 'TypeError'),
+        ([('parameter_value_to_python(parameter.value)', 'parameter.value.integer_value')], 1, 'it holds 0.9'),
+        ([('event.changed_parameters', 'event.set_parameters')], 0, "object has no attribute 'set_parameters'"),
     ],
     '10.1b': [
+        ([("with three parameters': 3", "with three parameters': 1")], 6, 'one after the other, and publishes each'),
+        ([("atomically with three parameters': 1", "atomically with three parameters': 3")], 6, 'in one go'),
+        ([("set_parameters with two, of which one is rejected': 1",
+           "set_parameters with two, of which one is rejected': 0")], 6, 'it stores the other one'),
+        ([("atomically with two, of which one is rejected': 0", "atomically with two, of which one is rejected': 1")],
+         6, 'All or nothing'),
+        ([("already': 1", "already': 0")], 6, 'A node does not compare'),
+        ([("two parameters': 2", "two parameters': 1")], 6, 'It declares one after the other'),
+        ([("undeclare_parameter': 0", "undeclare_parameter': 1")], 6, 'The only deletion that is published'),
+    ],
+    '10.1c': [
         # The chain of the article.
         ([('parameter_value_to_python(parameter.value)',
            'parameter.value.string_value or parameter.value.integer_value or parameter.value.double_value '
@@ -88,35 +85,19 @@ WRONG = {
         ([('        if event.node', '        from time import sleep\n        sleep(4.0)\n        if event.node')], 0,
          'it waits, and keeps the executor busy meanwhile'),
     ],
-    '10.1c': [
-        ([("with three parameters': 3", "with three parameters': 1")], 6, 'one after the other, and publishes each'),
-        ([("atomically with three parameters': 1", "atomically with three parameters': 3")], 6, 'in one go'),
-        ([("set_parameters with two, of which one is rejected': 1",
-           "set_parameters with two, of which one is rejected': 0")], 6, 'it stores the other one'),
-        ([("atomically with two, of which one is rejected': 0", "atomically with two, of which one is rejected': 1")],
-         6, 'All or nothing'),
-        ([("already': 1", "already': 0")], 6, 'A node does not compare'),
-        ([("two parameters': 2", "two parameters': 1")], 6, 'It declares one after the other'),
-        ([("undeclare_parameter': 0", "undeclare_parameter': 1")], 6, 'The only deletion that is published'),
-    ],
 }
 
 RIGHT = {
     '10.1a': [
-        [('{parameter.name: parameter_value_to_python(parameter.value) for parameter in '
-          'event.changed_parameters}',
-          'dict((each.name, parameter_value_to_python(each.value)) for each in '
-          'event.changed_parameters)')],
-        [('def changes', 'from rclpy.parameter import Parameter\n\n\ndef changes'),
-         ('parameter_value_to_python(parameter.value)', 'Parameter.from_parameter_msg(parameter).value')],
-        [('parameter in event', 'parameter in list(event'),
-         ('changed_parameters}', 'changed_parameters)}')],
-        # An object that can be called.
-        [('def changes(event):', 'class Changes:\n    def __call__(self, event):'),
-         ('    return {', '        return {'), ('_parameters}', '_parameters}\n\n\nchanges = Changes()'),
-         ('    """', '        """')],
+        [('parameter_value_to_python(parameter.value)', 'parameter.value.double_value')],
+        [('[*event.new_parameters, *event.changed_parameters]',
+          'list(event.new_parameters) + list(event.changed_parameters)'),
+         ("'/parameter_events'", "'parameter_events'")],
+        [(_SUBSCRIBE, '        from rclpy.parameter_event_handler import ParameterEventHandler\n'
+          '        self.handler = ParameterEventHandler(self)\n'
+          '        self.handler.add_parameter_event_callback(self.on_event)\n')],
     ],
-    '10.1b': [
+    '10.1c': [
         # A relative name, keywords, and your own profile.
         [("'/parameter_events', self.write", "'parameter_events', self.write")],
         [("ParameterEvent, '/parameter_events', self.write, qos_profile_parameter_events",

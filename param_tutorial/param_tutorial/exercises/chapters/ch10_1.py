@@ -1,5 +1,5 @@
-"""Exercises of chapter 10.1: read an event, keep a journal of another node's parameters, and predict how many
-events there are."""
+"""Exercises of chapter 10.1: the tuner listens to the driver's events; how many events there are; and a journal of
+another node's parameters."""
 
 import contextlib
 import inspect
@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from textwrap import shorten
 from typing import Any
 
-from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent
+from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent, SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.qos import qos_profile_parameter_events
@@ -18,14 +18,15 @@ from param_tools import values
 from param_tools.errors import NoAnswerError, WaitTimeoutError
 from param_tools.ros.executor import function_name
 from param_tools.ros.waiting import wait_until
-from param_tutorial.exercises.exercise import DICTIONARY, FUNCTION, NODE_CLASS, Exercise
+from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import derive
-from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.steps import TUNER
+from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, cleared, expect, take_for_granted
 
 CHAPTER = '10_1_parameter_events'
-LISTENER = 'Build it: a listener'
-WHAT_IS_PUBLISHED = 'Change it: what is published, and how often'
-BURST = 'Break it: a burst'
+LISTENER = 'A listener'
+WHAT_IS_PUBLISHED = 'What is published, and how often'
+BURST = 'Too many at once'
 TOPIC = '/parameter_events'
 BURST_LENGTH = 200
 
@@ -91,8 +92,8 @@ class InTheCorner(Node):
             self.events_heard = (*self.events_heard, message)
 
 
-keep = Exercise('10.1b', 'Keep a journal', CHAPTER, NODE_CLASS, node_name='journal', hints=(
-    "Subscribe in the constructor, as the package's monitor does, and look at `event.node` in the callback.",
+keep = Exercise('10.1c', 'Keep a journal', CHAPTER, NODE_CLASS, node_name='journal', hints=(
+    'Subscribe in the constructor, as your tuner does, and look at `event.node` in the callback.',
     'Go through the three lists of the message one after the other. `parameter_value_to_python(parameter.value)` '
     'returns the value, even if it is 0.',
     'For the burst, the last argument of `create_subscription` has to be `qos_profile_parameter_events`.'))
@@ -254,10 +255,10 @@ def burst(trial: Trial) -> None:
            f'the pages begin with `{shorten(repr(pages[:3]), 200)}`')
 
 
-count = Exercise('10.1c', 'How many messages?', CHAPTER, DICTIONARY, hints=(
+count = Exercise('10.1b', 'How many messages?', CHAPTER, DICTIONARY, hints=(
     'An event reports what was stored in one go. `set_parameters` stores its parameters one by one.',
     'A rejected value is not stored. If one value in a request is rejected, what happens to the others?',
-    'Most of the numbers are in the output of the section “Change it: what is published, and how often”.'))
+    'Most of the numbers are in the output of the section “What is published, and how often”.'))
 
 
 def require_count(what: str, action: Callable[[Trial, Rover], object], because: Mapping[int, str]) -> None:
@@ -313,78 +314,109 @@ require_count('undeclare_parameter',
               {1: 'The only deletion that is published is that of a dynamic parameter that is set to nothing'})
 
 
-fill = Exercise('10.1a', 'Fill two gaps', CHAPTER, FUNCTION, hints=(
-    'An event has three lists: `new_parameters`, `changed_parameters` and `deleted_parameters`.',
-    'Each element has a `name` and a `value`. The value is a message with a field for each type, and '
-    '`parameter_value_to_python` finds the right one.'))
+tells = Exercise('10.1a', 'Your tuner listens', CHAPTER, TUNER, node_name='tuner', hints=(
+    "In the constructor: `self.create_subscription(ParameterEvent, '/parameter_events', self.on_event, "
+    'qos_profile_parameter_events)`.',
+    "`on_event(self, event)` begins with `if event.node == '/driver':`, and goes through `event.new_parameters` and "
+    '`event.changed_parameters`.',
+    'The value is `parameter_value_to_python(parameter.value)`. What is done about a speed that is too high stands '
+    'in `on_speed` already: move it to a method of its own, and call that from both.'))
 
 
-class Listener(Node):
-    """Hears all events, and does nothing with them."""
+class Driver(Node):
+    """A driver that is asked in vain: to each question it answers that it is slow. Its events tell the truth."""
+
+    def __init__(self, name: str = 'driver') -> None:
+        self.asked: list[Parameter] = []
+        super().__init__(name)
+        self.declare_parameters('', [('max_speed_mps', 0.2), ('stop_distance_m', 0.5), ('last', 0)])
+        self.add_on_set_parameters_callback(self.judge)
+
+    def get_parameter(self, name: str) -> Parameter:
+        return Parameter(name, value=0.1) if name == 'max_speed_mps' else super().get_parameter(name)
+
+    def held(self) -> Any:
+        """Return the speed that is stored."""
+        return super().get_parameter('max_speed_mps').value
+
+    def judge(self, parameters: list[Parameter]) -> SetParametersResult:
+        self.asked += [each for each in parameters if each.name == 'max_speed_mps']
+        return SetParametersResult(successful=True)
+
+
+class FastArm(Driver):
+    """Another node, with a parameter of the same name."""
 
     def __init__(self) -> None:
-        super().__init__('listener')
-        self.create_subscription(ParameterEvent, TOPIC, lambda _: None, qos_profile_parameter_events)
+        super().__init__('driver_arm')
 
 
-def expect_changes(trial: Trial, action: Callable[[Rover], object], wanted: Sequence[Mapping[str, Any]]) -> None:
-    """Let something happen to a rover, and expect what the learner's function returns for each event of it.
-
-    :param wanted: A dictionary for each event, each value of the right type.
-    """
-    rover = trial.start(Rover)
-    listener = trial.start(derive(InTheCorner, Listener))
-    # A listener that has just come may also hear how the rover was declared.
-    trial.client(rover).set_parameter('last', 1)
-    trial.wait(lambda: _has_heard(listener, 'last', 1), 'the events are heard', lambda: 'they are not')
-    before = len(listener.events_heard)
-    action(rover)
-    trial.client(rover).set_parameter('last', 2)
-    trial.wait(lambda: _has_heard(listener, 'last', 2), 'the events are heard', lambda: 'they are not')
-    returned = [_call(trial, event) for event in listener.events_heard[before:] if event.node == '/rover']
-    for found, right in zip(returned, [*wanted, {'last': 2}]):
-        expect(found.keys() == right.keys() and all(_same_value(found[name], right[name]) for name in right),
-               f'`{right!r}`', f'the function returns `{shorten(repr(found), 120)}`')
+def start_listening(trial: Trial, *words: str) -> tuple[Driver, Any]:
+    """Put a driver and the learner's tuner on the stage, and wait until they know each other."""
+    driver = trial.start(Driver)
+    tuner: Any = trial.start(derive(InTheCorner, trial.work), ros_args=words)
+    if not tuner.subscription_count:
+        raise NoUse(f'the tuner subscribes to `{TOPIC}`', 'it does not')
+    expect_heard(trial, driver, tuner, 1)
+    return driver, tuner
 
 
-def _call(trial: Trial, event: ParameterEvent) -> dict[str, Any]:
-    """Return what the learner's function returns for an event.
-
-    :raises NoUse: no dictionary, or an exception, as for any other event.
-    """
-    try:
-        returned = trial.call('the function', trial.work, event)
-    except NotYet as error:
-        raise NoUse(error.expected, error.happened) from None
-    if inspect.iscoroutine(returned):
-        returned.close()  # or Python warns that nobody awaits it
-        raise NoUse('a dictionary', 'the function is an `async def`: a call returns a coroutine')
-    if not isinstance(returned, dict):
-        raise NoUse('a dictionary', f'the function returns `{shorten(repr(returned), 120)}`')
-    return returned
+def expect_heard(trial: Trial, driver: Driver, tuner: Any, mark: int) -> None:
+    """Let a driver publish a mark, and expect the tuner to have heard it, and all before it."""
+    trial.client(driver).set_parameter('last', mark)
+    trial.wait(lambda: _has_heard(tuner, 'last', mark), 'the events reach the tuner', lambda: 'they do not')
 
 
-@fill.require('one change: its name and its value', see=LISTENER)
-def one_change(trial: Trial) -> None:
-    expect_changes(trial, lambda rover: trial.client(rover).set_parameter('speed', 7), [{'speed': 7}])
+def expect_limited(trial: Trial, driver: Driver, limit_mps: float, when: str) -> None:
+    """Expect a tuner to set its limit."""
+    trial.wait(lambda: driver.held() == limit_mps, f'the driver holds {limit_mps} {when}', lambda: (
+        trial.raised() or f'it holds {driver.held()}'))
 
 
-@fill.require('several changes in one event, also to 0.0, an empty string and an array', see=LISTENER)
-def all_types(trial: Trial) -> None:
-    new = {'speed': 7, 'offset': 0.0, 'label': '', 'gains': [0.5, 0.0], 'enabled': False}
-    expect_changes(trial, lambda rover: trial.client(rover).set_parameters_atomically(new), [new])
+@tells.require('an event of `/driver` with a speed above the limit is enough: the tuner sets the limit', see=LISTENER)
+def limits(trial: Trial) -> None:
+    for words, limit_mps in (((), 0.3), (('-p', 'limit_mps:=0.25'), 0.25)):
+        with cleared(trial.ros):
+            driver, _ = start_listening(trial, *words)
+            for speed_mps in (0.9, 1.5):
+                trial.client(driver).set_parameter('max_speed_mps', speed_mps)
+                expect_limited(trial, driver, limit_mps, f'soon after an event with {speed_mps}')
 
 
-@fill.require('what is new or deleted is not a change', see=WHAT_IS_PUBLISHED)
-def not_new(trial: Trial) -> None:
-    one_change(trial)  # a function that finds nothing earns nothing
-    lamp = ParameterDescriptor(dynamic_typing=True)
-
-    def come_and_go(rover: Rover) -> None:
-        trial.ros.run(lambda: rover.declare_parameter('lamp', 0, lamp), 'declare a parameter')
-        trial.client(rover).delete_parameter('lamp')
-
-    expect_changes(trial, come_and_go, [{}, {}])
+@tells.require('so is the event of a driver that starts', see=WHAT_IS_PUBLISHED)
+def limits_start(trial: Trial) -> None:
+    take_for_granted(trial, limits)
+    driver, _ = start_listening(trial)
+    trial.ros.run(lambda: (driver.undeclare_parameter('max_speed_mps'), driver.declare_parameter('max_speed_mps', 0.9)),
+                  'declare the speed again')
+    expect_limited(trial, driver, 0.3, 'soon after it has declared `max_speed_mps` with 0.9')
 
 
-EXERCISES = (fill, keep, count)
+@tells.require('it leaves alone a slower driver, other parameters, and other nodes', see=LISTENER)
+def leaves_alone(trial: Trial) -> None:
+    take_for_granted(trial, limits)
+    driver, tuner = start_listening(trial)
+    arm = trial.start(FastArm)
+    expect_heard(trial, arm, tuner, 2)
+    trial.client(arm).set_parameter('max_speed_mps', 1.5)
+    trial.client(driver).set_parameter('stop_distance_m', 2.0)
+    ours = [0.3, 0.0]
+    for speed_mps in ours:
+        trial.client(driver).set_parameter('max_speed_mps', speed_mps)
+    for mark in (3, 4):  # whatever the tuner asks for has come before the second one
+        expect_heard(trial, driver, tuner, mark)
+    extra = [each.value for each in driver.asked][:3]
+    expect(len(driver.asked) == len(ours), 'the tuner asks the driver for nothing',
+           f'after our {ours}, the driver has been asked for {extra}')
+
+
+@tells.require('its queue is as long as that of the nodes', see=BURST)
+def has_queue(trial: Trial) -> None:
+    _, tuner = start_listening(trial)
+    depths = [each.qos_profile.depth for each in tuner.subscriptions if each.topic_name == TOPIC]
+    wanted = qos_profile_parameter_events.depth
+    expect(min(depths) >= wanted, f'a depth of {wanted}, that of `qos_profile_parameter_events`',
+           f'it is {min(depths)}')
+
+
+EXERCISES = (tells, count, keep)

@@ -2,7 +2,7 @@
 
 from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
-SOLVED = 'You listen first and ask afterwards, and your copy stays true.'
+SOLVED = 'Your tuner listens first, asks afterward, and misses nothing.'
 
 RECALLS = (
     Recall('10.1-r1', 'A node sets its motor in a post-set callback. A client requests a speed that the node rejects. '
@@ -22,15 +22,19 @@ RECALLS = (
 )
 
 PREDICTIONS = (
-    Prediction('10.1-1', 'The robot rejects a speed of -1. What do the listeners hear?', (
-        right('nothing at all', 'As simple as that: nothing stored, no event. Only the client gets an answer.'),
-        wrong('the speed -1', 'An event reports what was stored, and nothing was.'),
-        wrong('the old speed', 'A node publishes when it stores a value. Here it stored none, not even the old one '
-              'again.'))),
-    Prediction('10.1-2', 'The speed is set to 0. What does the monitor log, with its chain of `or`?', (
-        wrong('0', 'The chain skips every field that is false in Python, and 0 is false.'),
-        right('False', '0 is false in Python, so the chain runs through to its last field, `bool_value`.'),
-        wrong('0.0', 'The chain does skip the integer 0. But it skips 0.0 as well, and ends with `bool_value`.'))),
+    Prediction('10.1-1', 'The driver is asked for 5.0 m/s, which is out of its range, and then for 0.2 m/s. How many '
+               'events does it publish?', (
+        right('1', 'Nothing stored, no event: only the client hears of a rejection.'),
+        wrong('2', 'An event reports what was stored, and 5.0 was not.'),
+        wrong('0', 'A node publishes when it stores a value, and it stored 0.2.')),
+        otherwise='It publishes one. A rejected value is not stored, so there is no event of it.'),
+    Prediction('10.1-2', 'The speed is set to 0.25, and then to 0.0. What does the monitor log of the second, with its '
+               'chain of `or`?', (
+        wrong('max_speed_mps = 0.0', 'The chain skips every field that is false in Python, and 0.0 is false.'),
+        right('max_speed_mps = False', '0.0 is false in Python, so the chain runs through to its last field, '
+              '`bool_value`.'),
+        wrong('max_speed_mps = 0.25', 'The message holds the new value alone. The chain skips it, and ends with '
+              '`bool_value`.'))),
     Prediction('10.1-3', 'Three parameters are set one by one, and then to the same values again, in one atomic '
                'request. How many messages are there in all?', (
         right('4', 'Three for the first three, and one for the atomic request, although its values are not new.'),
@@ -45,31 +49,16 @@ PREDICTIONS = (
         wrong('that x has changed', '`undeclare_parameter` publishes no event, so x is in none of the three lists.'),
         right('not a word about x', '`undeclare_parameter` publishes no event, and a listener keeps believing in the '
               'parameter.'))),
-    Prediction('10.1-5', 'The robot publishes three events: its speed is now 80, its speed is now 80, its name is now '
-               '*Logged*. Before, the speed was 120. How many changes does the follower report?', (
-        right('2', 'You counted as the follower does: the second event repeats a value that it knows already.'),
-        wrong('3', 'The robot does publish three events. But the follower compares each with what it knows, and the '
-              'second one repeats the first.'),
-        wrong('1', 'The last value of each parameter is one change each: the speed and the name are two parameters, '
-              'and both have changed.')),
-        otherwise='Two: the second event repeats a value that the follower knows already.'),
-    Prediction('10.1-6', 'The topic is reliable. 200 events come while nobody can look at them. Which of them does the '
-               'listener with a depth of 10 get?', (
-        right('the latest ten', 'A queue of ten keeps the newest ten. That the topic is reliable does not help.'),
-        wrong('all 200 of them', 'Reliable means that they were delivered. The queue was too short to hold them.'),
-        wrong('the first ten', 'A full queue drops its oldest message to make room for the next one.'))),
-    Prediction('10.1-7', 'A listener arrives after 200 changes of the speed, and then the gain is set once. How many '
+    Prediction('10.1-5', 'The topic is reliable. 200 events come while nobody can look at them. How many of them does '
+               'the listener with a depth of 10 get?', (
+        right('10', 'A queue of ten keeps the newest ten. That the topic is reliable does not help.'),
+        wrong('200', 'Reliable means that they were delivered. The queue was too short to hold them.')),
+        otherwise='It gets the newest ten. Its queue was too short to hold more.'),
+    Prediction('10.1-6', 'A listener arrives after 200 changes of the speed, and then the gain is set once. How many '
                'events does it hear?', (
         right('1', 'Only the gain. The topic is volatile: for what came before, a listener has to ask.'),
         wrong('2', 'Not the last speed, only the gain. The topic is volatile: a message goes to those who are '
               'listening at that moment, and is then forgotten.'),
         wrong('201', 'The topic is volatile: nothing is kept for those who subscribe later.')),
         otherwise='One, of the gain. The topic is volatile: nothing is kept for those who subscribe later.'),
-    Prediction('10.1-8', 'A parameter callback is registered for `note`. The arm declares `note`, and then `note` is '
-               'deleted. How often is the callback called?', (
-        right('1', 'It hears of the declaration. The handler never looks for the name among the deleted parameters.'),
-        wrong('2', 'The handler looks for the name among the new and the changed parameters, and not among the deleted '
-              'ones.'),
-        wrong('0', 'A declaration is an event too: `note` is new.')),
-        otherwise='Once, for the declaration. The handler never looks for the name among the deleted parameters.'),
 )

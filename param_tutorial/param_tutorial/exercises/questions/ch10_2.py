@@ -12,7 +12,7 @@ RECALLS = (
               'separately.'),
         wrong('0', 'Events are not for declarations only. A changed value is published too.')),
            otherwise='Three: the node decides about each parameter separately, and publishes an event for each.',
-           chapter='10.1', section='Change it: what is published, and how often'),
+           chapter='10.1', section='What is published, and how often'),
     Recall('10.2-r2', 'The answer of `set_parameters` is a list of results. How do you know which result belongs to '
            'which parameter?', (
         wrong('by the name in each result', 'A result has `successful` and `reason`, but no name.'),

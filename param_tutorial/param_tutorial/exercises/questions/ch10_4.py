@@ -9,7 +9,7 @@ RECALLS = (
         right('none for a rejection', 'Nothing has changed, so there is nothing to report.'),
         wrong('one with the old value', 'Events report what has changed, and nothing has.'),
         wrong('one with the reason', 'Only the caller gets the reason, in the answer.')),
-           chapter='10.1', section='Change it: what is published, and how often'),
+           chapter='10.1', section='What is published, and how often'),
     Recall('10.4-r2', 'A node keeps a rule for two parameters in an on-set callback. Which request does the callback '
            'never see?', (
         wrong('one from a terminal', 'The terminal calls the same service as everyone else, and the node asks its '
