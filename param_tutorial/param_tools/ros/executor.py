@@ -375,9 +375,14 @@ class BackgroundExecutor:
             pass
         except BaseException as error:
             # Also what a callback raises: rclpy would end spin() here, and with it every node.
-            if self.context.ok() and not self._stopping:
+            if self.context.ok() and not self._stopping and not self._is_of_removed_node():
                 self._show_once(error)
         return self._executor.running is not None
+
+    def _is_of_removed_node(self) -> bool:
+        """True if what runs awaited something while its node was removed: rclpy goes on with it in the same round."""
+        node = self._executor.running[1] if self._executor.running else None
+        return node is not None and node is not self.tool_node and node not in self._nodes
 
     def in_thread(self) -> bool:
         """True in the executor's thread, which must not wait for anything that an executor brings."""
