@@ -68,7 +68,7 @@ TUNER_PROGRAM = DRIVER._replace(open=lambda work: file_of(work, 'tuner_node.py')
 
 
 def expect_entry_points(setup: Path, *names: str) -> None:
-    """Expect a ``setup.py`` that Python can read to make an executable of each node's file and its function ``main``."""
+    """Expect a ``setup.py`` that Python can read to make an executable of ``main`` in each node's file."""
     text = setup.read_text(encoding='utf-8')
     try:
         texts = {each.value for each in ast.walk(ast.parse(text)) if isinstance(each, ast.Constant)}

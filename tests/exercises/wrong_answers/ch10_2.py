@@ -1,6 +1,6 @@
 """Wrong answers that people give, and unusual right ones, to the exercises of chapter 10.2."""
 
-# In the solutions: what the inspector does, with a deadline for each question, and what the function returns.
+# In the solutions: what the inspector does, with a deadline for each question.
 IN_TIME = '''\
         answer = await self.in_time(self.list_client.call_async(ListParameters.Request()))
         for name in answer.result.names if answer else []:
@@ -21,7 +21,6 @@ READ = '''\
             values = (await self.get_client.call_async(GetParameters.Request(names=[name]))).values
             if values:
                 self.found[name] = parameter_value_to_python(values[0])'''
-HAS = '{node: parameters[name] for node, parameters in snapshot.items() if name in parameters}'
 
 WRONG = {
     '10.2a': [
@@ -98,30 +97,19 @@ WRONG = {
            '    async def work(self):\n        self.timer.cancel()\n')], 0, 'and 1 of 1 questions have no answer'),
     ],
     '10.2c': [
-        ([('if name in parameters', 'if True')], 0, 'KeyError'),
-        ([('if name in parameters', 'if parameters.get(name)')], 2, "returned `{'/gripper': 4, '/mast': 4}`"),
-        ([(HAS, '{node: value for node, parameters in snapshot.items()\n'
-                '            for key, value in parameters.items() if key.lower() == name.lower()}')], 2,
-         "returned `{'/gripper': 4, '/mast': 4, '/rover': 0}`"),
-        ([('if name in parameters', 'if parameters.get(name) is not None')], 2, "returned `{'/rover': 5.0}`"),
-        ([(HAS, '{node: parameters.get(name) for node, parameters in snapshot.items()}')], 0,
-         "'/arm/gripper': True, '/cam"),
-        ([(HAS, '{node: value for node, parameters in snapshot.items()\n'
-                '            for key, value in parameters.items() if key.startswith(name)}')], 1, "'/arm/gripper': 9"),
-        ([(HAS, '{node: value for node, parameters in snapshot.items()\n'
-                '            for key, value in parameters.items() if key.endswith(name)}')], 2, "'/camera': 2.5"),
-        ([('return {node: parameters[name] for', 'return [node for'), ('in parameters}', 'in parameters]')], 0,
-         'the function returned `['),
-        ([('{node: parameters[name]', '{node: str(parameters[name])')], 1, "{'/arm/gripper': 'True'}"),
-        ([('{node: parameters[name]', '{node: parameters')], 1, 'the function returned'),
-        ([('    return {node: parameters[name] for node, parameters in snapshot.items() if name in parameters}',
-           '    for node, parameters in snapshot.items():\n        if name in parameters:\n'
-           '            return {node: parameters[name]}\n    return {}')], 2, "returned `{'/gripper': 4}`"),
-        ([('in parameters}', 'in parameters} | dict.fromkeys(snapshot.unanswered)')], 0, "'/dozing': None"),
-        # Takes it out of the caller's snapshot.
-        ([('parameters[name]', 'parameters.pop(name)')], 0, 'the function has changed it'),
-        ([('in parameters}', 'in parameters} or None')], 2, 'the function returned `None`'),
-        ([('    return {', '    print({'), ('in parameters}', 'in parameters})')], 0, 'the function returned `None`'),
+        ([("['max_acceleration_mps2'])", "['max_acceleration'])")], 0, 'it holds 0.3'),
+        ([('math.sqrt(2 * base', 'math.sqrt(base')], 0, 'it holds 0.17'),
+        ([("['max_speed_mps'] > safe_mps", "['max_speed_mps'] < safe_mps")], 0, 'it holds 0.3'),
+        ([("['max_speed_mps'] > safe_mps", "['max_speed_mps'] != safe_mps")], 2, 'the driver was asked for 0.25'),
+        ([(', callback_group=MutuallyExclusiveCallbackGroup()', '')], 0, 'it holds 0.3'),
+        ([("['max_speed_mps', 'stop_distance_m'])", "['stop_distance_m', 'max_speed_mps'])"),
+          ('zip(names, values)', "zip(['max_speed_mps', 'stop_distance_m', 'max_acceleration_mps2'], values)")], 0,
+         "KeyError: 'max_acceleration_mps2'"),
+        ([("warning('no answer from the base", "debug('no answer from the base")], 2, 'there is none'),
+        ([('self.create_timer(0.5, question.cancel)', 'self.create_timer(600.0, question.cancel)')], 2,
+         'there is none'),
+        ([('        question = client', '        client.wait_for_services()\n        question = client')], 2,
+         'time.sleep() blocks the thread'),
     ],
 }
 
@@ -179,16 +167,9 @@ RIGHT = {
           '    async def work(self):\n        self.timer.cancel()\n')],
     ],
     '10.2c': [
-        [(HAS, 'dict((node, value) for node, parameters in snapshot.items()\n'
-               '                for key, value in parameters.items() if key == name)')],
-        [('    return ' + HAS, '    found = {}\n    for node in snapshot:\n        try:\n'
-          '            found[node] = snapshot[node][name]\n        except KeyError:\n            pass\n'
-          '    return found')],
-        [('    return ' + HAS, '    mine = dict(snapshot)\n    for node in snapshot:\n'
-          '        if name not in mine[node]:\n            del mine[node]\n'
-          '    return {node: mine[node][name] for node in mine}')],
-        [('    return ' + HAS, '    from copy import deepcopy\n    mine = deepcopy(snapshot)\n    return {node: '
-          'parameters.pop(name) for node, parameters in mine.items() if name in parameters}')],
+        [('if not base or not driver:', 'if not (base and driver):')],
+        [("math.sqrt(2 * base['max_acceleration_mps2'] * driver['stop_distance_m'])",
+          "(base['max_acceleration_mps2'] * 2 * driver['stop_distance_m']) ** 0.5")],
     ],
 }
 

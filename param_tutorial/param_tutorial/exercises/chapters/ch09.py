@@ -87,7 +87,8 @@ class Gripper(Node):
 
     def __init__(self) -> None:
         super().__init__('gripper')
-        self.declare_parameters('', list(DEFAULTS.items()))
+        for name, value in DEFAULTS.items():
+            self.declare_parameter(name, value)
 
 
 def gripper_with_file(trial: Trial, namespace: str = '') -> Any:

@@ -1,27 +1,29 @@
-"""Exercises of chapter 10.2: put names to values, read all parameters of another node, and find a parameter in all
-nodes."""
+"""Exercises of chapter 10.2: put names to values, read all parameters of another node, and let the tuner ask two."""
 
+import math
+import time
 from collections.abc import Mapping
 from textwrap import shorten
 
+from rcl_interfaces.msg import SetParametersResult
 from rcl_interfaces.srv import GetParameters
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.node import Node
 from rclpy.parameter import Parameter
+from rclpy.task import Future
 
 from param_tools import values
-from param_tools.errors import NoAnswerError
-from param_tools.node.client import ParameterValues
-from param_tools.systems.snapshot import Snapshot
+from param_tools.ros.service_types import SERVICE_TYPES
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import NotesQuestions, expect_no_gap, expect_no_wait, start_asking
-from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.expectations import NotesQuestions, awake, expect_no_gap, expect_no_wait, start_asking
+from param_tutorial.exercises.steps import TUNER
+from param_tutorial.exercises.trial import TIME_LIMIT_SEC, NotYet, NoUse, Trial, expect, take_for_granted
 
 CHAPTER = '10_2_asking_another_node'
 BY_NAME = 'Ask by name'
-UNKNOWN = 'Break it: a name too many'
-LIST_FIRST = 'Build it: first the names, then the values'
-ALL = 'All parameters of all nodes'
+UNKNOWN = 'A name too many'
+LIST_FIRST = ASK_TWICE = 'First the names, then the values'
+SILENCE = 'When nobody answers'
 
 
 class Rover(Node):
@@ -60,7 +62,7 @@ class Uncalibrated(Node):
 
 inspect = Exercise('10.2b', 'Inspect a rover', CHAPTER, NODE_CLASS, node_name='inspector', hints=(
     'Create two clients in the constructor, and ask two questions: `list_parameters` for the names and, once they are '
-    'there, `get_parameters` for the values. `ParamQueryNode` and `Reader` both do it.',
+    'there, `get_parameters` for the values. `Reader` does it.',
     '`call_async` returns a future. Await it in an `async def inspect`, or use '
     '`future.add_done_callback(self.on_names)`, which calls your method with the future. The names are in '
     '`future.result().result.names`; `zip` pairs names and values.',
@@ -130,52 +132,110 @@ def unset(trial: Trial) -> None:
     found_in(trial, Uncalibrated)
 
 
-who = Exercise('10.2c', 'Who has it?', CHAPTER, FUNCTION, hints=(
-    'A snapshot is a dictionary: `for node, parameters in snapshot.items()`. And `parameters` is one, too.',
-    '`name in parameters` asks whether the node has the parameter. Its value may be 0 or `None`, but it is there.',
-    'Collect the answer in a dictionary, `found[node] = parameters[name]`, and return it after the loop.'))
+protects = Exercise('10.2c', 'Your tuner asks two nodes', CHAPTER, TUNER, node_name='tuner', hints=(
+    "A second client, `AsyncParameterClient(self, 'base')`, and a second timer, `self.create_timer(1.0, self.protect, "
+    'callback_group=MutuallyExclusiveCallbackGroup())`. `protect` is an `async def`.',
+    'A question with its deadline takes four lines, as in `Punctual`. Put them into a method of their own, `async def '
+    'values_of(self, client, names)`, which returns a dictionary as your `with_names` does, or an empty one. Await it '
+    'twice.',
+    "The speed from which the base can stop is `math.sqrt(2 * base['max_acceleration_mps2'] * "
+    "driver['stop_distance_m'])`. If the driver's is higher, set it, as `slow_down` does."))
 
 
-def snapshot() -> Snapshot:
-    """Return a snapshot with values and names that are easily confused, and a node that did not answer."""
-    return Snapshot({
-        '/arm/gripper': ParameterValues({'grip': True, 'label': '', 'speed_limit': 9}),
-        '/camera': ParameterValues({'exposure_ms': None, 'label': 'front', 'pid.speed': 2.5}),
-        '/gripper': ParameterValues({'speed': 4, 'gains': [0.5, 0.0]}),
-        '/mast': ParameterValues({'speed': 4}),
-        '/rover': ParameterValues({'speed': 0, 'enabled': False, 'wings': [], 'exposure_ms': 5.0}),
-        '/scale': ParameterValues(),
-    }, {'/dozing': NoAnswerError('/dozing', 'list_parameters', 0.5)})
+class Base(Node):
+    """The base. It counts the questions."""
+
+    def __init__(self) -> None:
+        self.times_asked = 0
+        super().__init__('base')
+        self.declare_parameters('', [('max_acceleration_mps2', 0.125), ('wall_m', 10.0)])
+
+    def get_parameter(self, name: str) -> Parameter:
+        self.times_asked += name == 'max_acceleration_mps2'
+        return super().get_parameter(name)
 
 
-def census(trial: Trial, *names: str) -> None:
-    """Expect the learner's function to find parameters in a snapshot."""
-    for name in names:
-        wanted = {node: parameters[name] for node, parameters in snapshot().items() if name in parameters}
-        try:
-            given = trial.call('the function', trial.work, handed := snapshot(), name)
-        except NotYet as error:
-            raise NoUse(f'for `{name}`: `{wanted!r}`', error.happened) from None
-        if handed != snapshot():
-            raise NoUse('the snapshot stays as it is', 'the function has changed it, for the next one who looks')
-        expect(isinstance(given, dict) and given.keys() == wanted.keys()
-               and all(values.same(given[node], wanted[node]) for node in wanted),
-               f'for `{name}`: `{wanted!r}`', f'the function returned `{shorten(repr(given), 200)}`')
+class Driver(Node):
+    """A driver that is slower than the tuner's limit, and may be too fast for the base. It notes requests."""
+
+    def __init__(self) -> None:
+        self.asked: list[Parameter] = []
+        super().__init__('driver')
+        self.declare_parameters('', [('max_speed_mps', 0.3), ('stop_distance_m', 0.25)])
+        self.add_on_set_parameters_callback(self.judge)
+
+    def judge(self, parameters: list[Parameter]) -> SetParametersResult:
+        self.asked += [each for each in parameters if each.name == 'max_speed_mps']
+        return SetParametersResult(successful=True)
 
 
-@who.require('a parameter that one node has', see=ALL)
-def one(trial: Trial) -> None:
-    census(trial, 'grip', 'gains')
+class Mute(Node):
+    """A base whose services are there, and never answer."""
+
+    def __init__(self) -> None:
+        super().__init__('base', start_parameter_services=False)
+        self.times_asked = 0
+        for name, service_type in SERVICE_TYPES.items():
+            self.create_service(service_type, f'~/{name}', self.take)
+
+    async def take(self, _request: object, response: object) -> object:
+        self.times_asked += 1
+        return await Future()
 
 
-@who.require('a parameter that several nodes have, also with the value 0, or not set', see=ALL)
-def both(trial: Trial) -> None:
-    census(trial, 'speed', 'label', 'exposure_ms')
+def expect_speed(trial: Trial, driver: Driver, speed_mps: float, when: str) -> None:
+    """Expect a tuner to have set the speed of a driver."""
+    def held() -> float:
+        return float(driver.get_parameter('max_speed_mps').value)
+
+    trial.wait(lambda: math.isclose(held(), speed_mps, abs_tol=1e-3), f'the driver holds {speed_mps} {when}',
+               lambda: trial.raised() or f'it holds {held()}')
 
 
-@who.require('a parameter that no node has: an empty dictionary', see=ALL)
-def nobody(trial: Trial) -> None:
-    census(trial, 'pid', 'Speed')
+def expect_warning(trial: Trial, tuner: Node, when: str) -> None:
+    """Expect a tuner to log one more warning."""
+    since_ns = time.time_ns()
+    trial.wait(lambda: any(each.time_ns >= since_ns and each.level in ('WARN', 'ERROR') for each in
+                           trial.ros.node_log.recent(tuner.get_fully_qualified_name(), 100)),
+               f'a warning in the log, {when}', lambda: trial.raised() or 'there is none')
+
+
+@protects.require('the driver is no faster than the base can stop within its stop distance', see=ASK_TWICE)
+def slows_down(trial: Trial) -> None:
+    with awake():
+        base, driver = trial.start(Base), trial.start(Driver)
+        trial.start()
+        expect_speed(trial, driver, 0.25, 'when the base can do 0.125 m/s², within 0.25 m')
+        trial.client(driver).set_parameter('stop_distance_m', 0.16)
+        expect_speed(trial, driver, 0.2, 'once it is to stop within 0.16 m')
+        trial.client(base).set_parameter('max_acceleration_mps2', 0.03125)
+        expect_speed(trial, driver, 0.1, 'once the base can do 0.03125 m/s²')
+
+
+@protects.require('a driver that is slow enough is left alone', see=ASK_TWICE)
+def leaves_alone(trial: Trial) -> None:
+    take_for_granted(trial, slows_down)
+    with awake():
+        base, driver = trial.start(Base), trial.start(Driver, ros_args=['-p', 'max_speed_mps:=0.2'])
+        trial.start()
+        trial.wait(lambda: base.times_asked >= 3, '`/base` is asked once a second', lambda: (
+            trial.raised() or f'it has been asked {base.times_asked} times in {TIME_LIMIT_SEC:.0f} s'))
+        expect(not driver.asked, 'nothing is set while the driver holds 0.2',
+               'the driver was asked for ' + ', '.join(f'{each.value}' for each in driver.asked[:2]))
+
+
+@protects.require('a base that is silent or not there gets a warning, and is asked again', see=SILENCE)
+def has_deadline(trial: Trial) -> None:
+    take_for_granted(trial, slows_down)
+    with awake():
+        driver, tuner = trial.start(Driver), trial.start()
+        expect_warning(trial, tuner, 'without a base')
+        mute = trial.start(Mute)
+        trial.wait(lambda: mute.times_asked, 'a base that comes later is asked', lambda: trial.raised() or 'it is not')
+        expect_warning(trial, tuner, 'when the base does not answer')
+        trial.ros.remove(mute)
+        trial.start(Base)
+        expect_speed(trial, driver, 0.25, 'soon after a base has come that answers')
 
 
 fill = Exercise('10.2a', 'Fill three gaps', CHAPTER, FUNCTION, hints=(
@@ -216,4 +276,4 @@ def typed_pairs(trial: Trial) -> None:
     pairs(trial, 'gains', 'offset', 'enabled', 'label', 'legs', 'steps')
 
 
-EXERCISES = (fill, inspect, who)
+EXERCISES = (fill, inspect, protects)

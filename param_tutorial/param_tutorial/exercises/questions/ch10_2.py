@@ -28,33 +28,19 @@ PREDICTIONS = (
         wrong('3', 'So the interface promises, with the type *not set* for the unknown one. But one unknown name '
               'empties the whole answer.')),
         otherwise='None: one unknown name empties the whole answer.'),
-    Prediction('10.2-2', 'A request names no parameter at all. Which values come back?', (
-        wrong('all of its values', '`get_parameters` returns what it was asked for, and it was asked for nothing.'),
-        right('none of its values', 'As the request says: nothing asked, nothing answered. To get all parameters, call '
-              '`list_parameters` first.'),
-        wrong('none, but an error', 'There is no error. An empty request has an empty answer.'))),
-    Prediction('10.2-3', 'The arm has `pid.kp`, `pid.ki` and `pid.limits.max`. What does `list_parameters` return for '
-               'the prefix `pi`?', (
+    Prediction('10.2-2', 'The camera has `frame_rate_hz` and `resolution` with values, and `exposure_ms` without one. '
+               'How many values come back if you ask for all three?', (
+        right('0', 'A parameter that is declared and has no value empties the answer, as an unknown one does.'),
+        wrong('2', 'The one without a value is not left out. It empties the whole answer.'),
+        wrong('3', 'So the interface promises. But one without a value empties the whole answer.')),
+        otherwise='None: a parameter without a value empties the answer, as an unknown one does.'),
+    Prediction('10.2-3', 'The gripper has `force_n`, `gains.kp`, `gains.kd` and `base_frame`. What does '
+               '`list_parameters` return for the prefix `gai`?', (
         right('none of the names', 'A prefix consists of whole parts of a name, up to a dot.'),
-        wrong('all three names', 'A prefix consists of whole parts of a name, up to a dot. Nothing here begins with '
-              '`pi` and a dot.'),
+        wrong('both of the gains', 'A prefix consists of whole parts of a name, up to a dot. Nothing here begins with '
+              '`gai` and a dot.'),
         wrong('an error, no names', 'A prefix that matches nothing is not an error. The list is empty.'))),
-    Prediction('10.2-4', 'One callback sends a hundred questions in a row through one client, and then is busy for '
-               'half a second. Meanwhile the node in the other process answers each of them. How many answers does the '
-               'client take in?', (
-        wrong('all, one after another', 'The node answers all of them, but the client keeps only ten answers until the '
-              'executor gets around to them.'),
-        wrong('fewer, with error reports', 'There is no error. The future of a lost answer is never done.'),
-        right('fewer, without an error', 'The client keeps only ten answers until the executor gets around to them. '
-              'Older ones are lost without a word.'))),
-    Prediction('10.2-5', 'The constructor of a node waits half a second for the services of the gripper. The next line '
-               'of the program will start the gripper. What does `wait_for_service` do?', (
-        wrong('It returns True', 'The next line runs once the constructor has returned, and the constructor waits for '
-              'the next line.'),
-        wrong('It raises an error', 'With a time limit, `wait_for_service` raises nothing. It returns False when the '
-              'time is up.'),
-        right('It returns False', 'The constructor waits for something that can only happen once it has returned.'))),
-    Prediction('10.2-6', 'A callback awaits the answer of a node that never answers. After half a second, a timer '
+    Prediction('10.2-4', 'A callback awaits the answer of a node that never answers. After half a second, a timer '
                'cancels the future. What becomes of the `await`?', (
         right('It ends and returns None', 'The `await` ends, since the future is no longer pending. Its `done()` stays '
               'False, its result `None`.'),
@@ -62,9 +48,4 @@ PREDICTIONS = (
               'future is no longer pending, and its result is `None`.'),
         wrong('It waits on for an answer', 'Canceling wakes up the callback that awaits the future. Its result is '
               '`None`.'))),
-    Prediction('10.2-7', 'An `AsyncParameterClient` has created six service clients in its node. How many of the six '
-               'are left in the node after `del parameter_client`?', (
-        right('6', 'They belong to the node, and `AsyncParameterClient` has no method that destroys them.'),
-        wrong('0', 'The object is gone, but its clients are not: they belong to the node.')),
-        otherwise='All six: they belong to the node, and nothing destroys them.'),
 )
