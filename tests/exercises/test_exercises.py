@@ -121,7 +121,7 @@ def test_a_program_may_lose_a_race_that_is_rclpys_own_but_not_each_time(ros, tmp
 def test_a_wrong_name_in_the_learners_lines_is_not_searched_for(ros, monkeypatch):
     """The lines can only mean nodes of this process. Waiting for discovery could take longer than the check allows."""
     monkeypatch.setattr(graph, 'DISCOVERY_SEC', 1000)
-    result = exercises.check('10.3a', solution('10.3a', ('/wheel_controller', '/wheel')))
+    result = exercises.check('10.3b', solution('10.3b', ('/wheel_controller', '/wheel')))
     assert 'there is no node /wheel. No node is running' in result.findings[0].happened
 
 

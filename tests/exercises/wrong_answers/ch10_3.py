@@ -1,7 +1,7 @@
 """Wrong answers that people give, and unusual right ones, to the exercises of chapter 10.3."""
 
 WRONG = {
-    '10.3a': [
+    '10.3b': [
         ([("group = 'gains.wheel_joint'\n", ''),
           ("gains = {f'{group}.p': 0.3, f'{group}.d': 0.02}\n",
            "gains = {f'{group}.p': 0.3, f'{group}.d': 0.02}\n"
@@ -27,7 +27,7 @@ WRONG = {
            "gains = {f'{group}.p': 0.3, 'x'{group}.d': 0.02}\n")],
          0, 'SyntaxError: unterminated string literal (detected at line'),
     ],
-    '10.3b': [
+    '10.3a': [
         # P alone, as loud as it goes.
         ([(".i': 0.3", ".i': 0.0")], 2, 'Without an integral, some error always remains'),
         ([(".d': 0.03", ".d': 0.0")], 1, 'overshoot 2'),
@@ -70,7 +70,7 @@ WRONG = {
 }
 
 RIGHT = {
-    '10.3a': [
+    '10.3b': [
         [("client = ParameterClient('/wheel_controller')\n", ''),
          ("group = 'gains.wheel_joint'\n",
           "client = ParameterClient('/wheel_controller')\n"
@@ -82,7 +82,7 @@ RIGHT = {
           "gains = {f'{group}.p': 0.3, f'{group}.d': 0.02}\n",
           "gains = {'gains.wheel_joint.p': 0.3, 'gains.wheel_joint.d': 0.02}\n")],
     ],
-    '10.3b': [
+    '10.3a': [
         [("    'gains.wheel_joint.p': 0.62,\n", ''),
          ("'gains.wheel_joint.d': 0.03,", "'gains.wheel_joint.d': 0.03,\n    'gains.wheel_joint.p': 0.62,")],
         [('gains = {', 'gains = {} | {')],

@@ -1,4 +1,4 @@
-"""Exercises of chapter 10.3: change two gains at once, tune a PID controller, and write the parameter file of two
+"""Exercises of chapter 10.3: tune a PID controller, change two gains at once, and write the parameter file of two
 controllers."""
 
 import contextlib
@@ -22,12 +22,12 @@ from param_tutorial.views.drawing.step_response import plot_responses
 from param_tutorial.views.step_response import goal_band
 
 CHAPTER = '10_3_ros2_control'
-GAINS = 'Change it: what each gain does'
+GAINS = 'What each gain does'
 FILE = 'The file of ros2_control'
-TOGETHER = 'Change it: three gains, one change'
+TOGETHER = 'Three gains, one change'
 
 TUNED = [f'gains.wheel_joint.{name}' for name in 'pid']
-tune = Exercise('10.3b', 'Tune a wheel', CHAPTER, DICTIONARY, hints=(
+tune = Exercise('10.3a', 'Tune a wheel', CHAPTER, DICTIONARY, hints=(
     'Begin with P alone, and raise it until the wheel is fast. It will ring; that is what D is for.',
     'With `d` at 0.03 you can raise `p` far beyond 0.4, and the wheel rings less than before.',
     'The integral has little left to do when `p` is large. A small one, below 0.5, removes the error and hardly '
@@ -239,7 +239,7 @@ def anywhere(trial: Trial) -> None:
                    'it gets others' if found else 'the file does not reach it')
 
 
-change = Exercise('10.3a', 'Change two gains at once', CHAPTER, TEXT, hints=(
+change = Exercise('10.3b', 'Change two gains at once', CHAPTER, TEXT, hints=(
     'The gains of a joint have long names: `gains.wheel_joint.p`. Which request takes several parameters as one?',
     "`client = ParameterClient('/wheel_controller')`, and then `client.set_parameters_atomically({...})`."))
 
@@ -288,4 +288,4 @@ def together(trial: Trial) -> None:
     expect(count == 1, 'one request', f'there were {count}')
 
 
-EXERCISES = (change, tune, write)
+EXERCISES = (tune, change, write)

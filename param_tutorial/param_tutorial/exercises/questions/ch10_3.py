@@ -22,50 +22,41 @@ RECALLS = (
 )
 
 PREDICTIONS = (
-    Prediction('10.3-1', 'A file gives a gain for `weel_joint`, and the joint is called `wheel_joint`. What happens '
-               'when the controller starts?', (
-        wrong('It stops with an exception', 'The gain is an override without a declaration. That is no error.'),
-        wrong('It starts with the new gain', 'The file reaches it, but the node declares no parameter of that name.'),
-        right('It starts with the old gain', 'The gain is an override without a declaration, so the node ignores it '
-              'silently.'))),
-    Prediction('10.3-2', 'The torque is `p` times the error, and nothing else. Which gain brings the wheel to 10 '
+    Prediction('10.3-1', 'The torque is `p` times the error, and nothing else. Which gain brings the wheel to 10 '
                'rad/s?', (
         wrong('both of them', 'Without an error there is no torque, and without torque the wheel slows down. It stays '
               'below 10.'),
         wrong('only p = 0.4', 'It comes closer. But without an error there is no torque, and the friction needs some.'),
         right('neither of them', 'Without an error there is no torque, and the friction needs some. More `p` makes the '
               'error smaller, never zero.'))),
-    Prediction('10.3-3', 'The callback rejects whatever is below zero. What does it do with `nan`, which is not a '
-               'number?', (
-        wrong('It rejects nan as invalid', 'The rule asks whether it is below zero, and `nan` is not below anything.'),
-        right('It accepts nan as a gain', '`nan` is neither less nor greater than anything, so it is not below zero.'),
-        wrong('It never gets to see nan', '`nan` is a double like any other, so the type is right.'))),
-    Prediction('10.3-4', '`u_clamp_min` is -2.0, and a client sets `u_clamp_max` to -3.0. What will the client hear, '
-               'and what will the wheel do?', (
-        right('accepted, and the wheel turns as before', 'The node stores -3.0 and goes on with the old clamps: '
-              'parameter and controller disagree.'),
-        wrong('accepted, and the wheel is clamped to -3.0', 'The value is stored, but the controller skips clamps '
-              'that cross.'),
-        wrong('rejected, and the wheel turns as before', 'The callback of the real controller rejects nothing, and '
-              'neither does the one of this node.'))),
-    Prediction('10.3-5', 'Three gains are set in one call of `set_parameters`. How many sets of gains does the node '
+    Prediction('10.3-2', 'Three gains are set in one call of `set_parameters`. How many sets of gains does the node '
                'put to use, one after the other?', (
         right('3', 'Each gain is a change. Nobody asked for the first two combinations.'),
         wrong('1', 'One call, but three changes: the service sets one parameter after the other.'),
         wrong('2', 'There are three changes, and the node puts each of them to use.')),
         otherwise='It puts three to use: the service sets one parameter after the other.'),
-    Prediction('10.3-6', 'The same three gains come in one call of `set_parameters_atomically`. How many sets of gains '
+    Prediction('10.3-3', 'The same three gains come in one call of `set_parameters_atomically`. How many sets of gains '
                'does the node put to use now?', (
         right('1', 'As the name of the service promises: the node stores the three together, and calls its callbacks '
               'once.'),
         wrong('3', 'That was `set_parameters`. An atomic request is one change.'),
         wrong('0', 'The three are valid, so the node accepts and uses them.')),
         otherwise='One: the node stores the three together, and calls its callbacks once.'),
-    Prediction('10.3-7', "The robot's own file has gains for this controller, and so has the tuned file after it. With "
-               'which gains does the controller start?', (
-        right('those of the tuned file', 'What you put last counts here: its block was opened after the one in the '
-              "robot's own file."),
-        wrong('those of the first file', 'They were there first. The block of the tuned file was opened later, and '
-              'wins.'),
-        wrong('none, it does not start', 'That is no contradiction to rcl. The block that was opened later wins.'))),
+    Prediction('10.3-4', 'The callback rejects whatever is below zero. What does it do with `nan`, which is not a '
+               'number?', (
+        wrong('It rejects nan as invalid', 'The rule asks whether it is below zero, and `nan` is not below anything.'),
+        right('It accepts nan as a gain', '`nan` is neither less nor greater than anything, so it is not below zero.'),
+        wrong('It never gets to see nan', '`nan` is a double like any other, so the type is right.'))),
+    Prediction('10.3-5', 'One atomic request asks for `p = 5.0` and a strategy that there is not. It is rejected. With '
+               'which `p` does the node work afterwards?', (
+        right('5.0', 'The newer callback has acted before the older one rejected. What is stored, and what is in use, '
+              'differ.'),
+        wrong('0.1', 'That is what is stored. The newer callback has acted before the older one rejected.')),
+        otherwise='It works with 5.0. The newer callback has acted before the older one rejected.'),
+    Prediction('10.3-6', 'A file gives a gain for `weel_joint`, and the joint is called `wheel_joint`. What happens '
+               'when the controller starts?', (
+        wrong('It stops with an exception', 'The gain is an override without a declaration. That is no error.'),
+        wrong('It starts with the new gain', 'The file reaches it, but the node declares no parameter of that name.'),
+        right('It starts with the default', 'The gain is an override without a declaration, so the node ignores it '
+              'silently.'))),
 )
