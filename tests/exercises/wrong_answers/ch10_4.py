@@ -1,9 +1,13 @@
 """Wrong answers that people give, and unusual right ones, to the exercises of chapter 10.4."""
 
-_CALL = ("Rules(self).matches('call_sign', '[A-Z]{3}').one_of('mode', ['hover', 'track', 'land']).check(\n"
-         "            ['land_percent', 'home_percent'], lambda land, home: land < home,\n"
-         "            'land_percent must be below home_percent')")
-_BY_HAND = """import re
+_SIGN = ("        rule(self, ['call_sign'], lambda sign: re.fullmatch('[A-Z]{3}', sign), "
+         "'call_sign must be three letters')\n")
+_MODE = ("        rule(self, ['mode'], lambda mode: mode in ('hover', 'track', 'land'), "
+         "'mode must be hover, track or land')\n")
+_ORDER = ("        rule(self, ['land_percent', 'home_percent'], lambda land, home: land < home,\n"
+          "             'land_percent must be below home_percent')")
+_CALL = _SIGN + _MODE + _ORDER
+_BY_HAND = """        import re
         self.add_on_set_parameters_callback(self.judge)
         result = self.judge([self.get_parameter(name) for name in ('call_sign', 'mode', 'land_percent')])
         if not result.successful:
@@ -27,23 +31,22 @@ _WARNING = """        if any(p.name == 'width' for p in parameters):
             self.get_logger().warning('width is deprecated: set width_mm instead')
 """
 _JUDGE = '        self.add_on_set_parameters_callback(self.judge)\n'
-_MIRROR = '        self.add_pre_set_parameters_callback(self.mirror)\n'
+_TWIN = '        self.add_pre_set_parameters_callback(self.both)\n'
 
 WRONG = {
     '10.4a': [
         ([("'[A-Z]{3}'", "'[A-Z]{3}.*'")], 3, 'it was accepted'),
-        ([("'mode', 'hover'", "'mode', 'land'")], 3, "it is `'land'`"),
+        ([("'mode', 'hover'), ('land", "'mode', 'land'), ('land")], 3, "it is `'land'`"),
         ([("'land_percent', 10", "'land_percent', 5")], 3, 'it is `5`'),
         # In a callback only, and with a return in the loop.
         ([(_CALL, _BY_HAND.replace('            raise ValueError(result.reason)', '            pass'))], 3,
          'it started'),
-        ([("['hover', 'track', 'land']", "['hover', 'track']")], 3, 'must be one of'),
-        ([(".one_of('mode', ['hover', 'track', 'land'])", ".matches('mode', '.*(hover|track|land).*')")], 3,
+        ([("in ('hover', 'track', 'land')", "in ('hover', 'track')")], 3, 'must be hover, track or land'),
+        ([("mode in ('hover', 'track', 'land')", "any(each in mode for each in ('hover', 'track', 'land'))")], 3,
          'it was accepted'),
+        ([("re.fullmatch('[A-Z]{3}'", "re.match('[A-Z]{3}'")], 3, 'it was accepted'),
         ([('lambda land, home: land < home', 'lambda land, home: land <= home')], 3, 'it was accepted'),
         ([('lambda land, home: land < home', 'lambda home, land: land < home')], 0, 'land_percent must be below'),
-        ([('Rules(self).matches', 'Rules(self).match')], 0, "no attribute 'match'"),
-        ([("['hover', 'track', 'land']", "'hover'")], 0, 'give a list of at least one choice'),
         ([(_CALL, _BY_HAND.replace('after.update((p.name, p.value) for p in parameters)',
                                    'after[parameters[0].name] = parameters[0].value'))], 2, 'it was accepted'),
         ([(_CALL, _BY_HAND.replace('after.update((p.name, p.value) for p in parameters)', ''))], 1, 'it was accepted'),
@@ -53,16 +56,16 @@ WRONG = {
     ],
     '10.4b': [
         # Both declared: they do not follow one another.
-        ([(_MIRROR, '')], 1, 'it is `800`'),
+        ([(_TWIN, '')], 1, 'it is `800`'),
         ([("self.declare_parameter('width_mm', old.value)", "self.declare_parameter('width_mm', 800)")], 3,
          'it is `800`'),
-        # The mirror of the chapter: it takes a contradiction.
+        # The twin of the chapter: it takes a contradiction.
         ([(_JUDGE, '')], 3, 'it was accepted'),
         ([(_WARNING, '')], 3, 'there is none'),
         ([('        self.set_parameters([new])', '        pass')], 3, 'it is `800`'),
         # The wrong way round: those who use the new name are warned.
         ([("p.name == 'width' for", "p.name == 'width_mm' for")], 3, 'it has `width is'),
-        # It forwards, and does not mirror.
+        # It forwards, and changes one name only.
         ([("'width_mm', old.value)", "'width_mm', 800)"), ('self.NAMES if p.name in', "['width_mm'] if p.name in")], 2,
          'it is `800`'),
         ([("'width', 800", "'width', 800.0")], 0, 'Wrong parameter type'),
@@ -74,15 +77,9 @@ RIGHT = {
     '10.4a': [
         [(_CALL, _BY_HAND)],
         [("'[A-Z]{3}'", "'^[A-Z][A-Z][A-Z]$'")],
-        [(_CALL, """rules = Rules(self)
-        rules.check(['home_percent', 'land_percent'], lambda home, land: home > land, 'home first')
-        rules.matches('mode', 'hover|track|land')
-        rules.check('call_sign', lambda sign: len(sign) == 3 and all('A' <= letter <= 'Z' for letter in sign), 'ABC')
-""")],
-        [(_CALL, """Rules(self).matches('call_sign', '[A-Z]{3}')
-        Rules(self).one_of('mode', ('hover', 'track', 'land'))
-        Rules(self).check(('land_percent', 'home_percent'), lambda land, home: not land >= home, 'land below home')
-""")],
+        [(_MODE, '        from param_tools import Rules\n'
+          "        Rules(self).one_of('mode', ['hover', 'track', 'land'])\n")],
+        [('lambda land, home: land < home', 'lambda land, home: not land >= home')],
     ],
     '10.4b': [
         # The new name first, and what was set at the start goes from it to the old one.

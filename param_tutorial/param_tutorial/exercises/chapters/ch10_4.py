@@ -13,10 +13,9 @@ from param_tutorial.exercises.expectations import expect_accepted, expect_reject
 from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect
 
 CHAPTER = '10_4_beyond_today'
-STATE = 'Build it: a rule in a dozen lines'
-KINDS = 'Change it: the rules of the package'
-ACROSS = 'Rules across parameters'
-MIRROR = 'Build it: a mirror'
+STATE = 'A rule in a dozen lines'
+ACROSS = 'Five gaps'
+TWIN = 'Names that change'
 
 
 def expect_no_start(trial: Trial, requests: Sequence[Mapping[str, object]]) -> None:
@@ -56,9 +55,9 @@ def expect_values(trial: Trial, node: Node, wanted: Mapping[str, object], when: 
 # -- 10.4a ----------------------------------------------------------------------------------------------------
 
 rules = Exercise('10.4a', 'State the rules', CHAPTER, NODE_CLASS, node_name='drone', hints=(
-    'One `Rules(self)` after the declarations, and three rules chained to it.',
-    'The three are `matches`, `one_of` and `check`. The pattern for three capital letters is `[A-Z]{3}`.',
-    "`.check(['land_percent', 'home_percent'], lambda land, home: ..., 'a sentence')`: the function gets the two "
+    'Three calls of `rule` after the four declarations, each with the names, a function, and a sentence.',
+    "`re.fullmatch('[A-Z]{3}', call_sign)` for the first; `mode in ('hover', 'track', 'land')` for the second.",
+    "`rule(self, ['land_percent', 'home_percent'], lambda land, home: ..., 'a sentence')`: the function gets the two "
     'values in the order of the names.'))
 
 
@@ -72,7 +71,7 @@ def call_sign(trial: Trial) -> None:
         expect_accepted(trial, drone, {'call_sign': good})
 
 
-@rules.require('there are three modes', see=KINDS)
+@rules.require('there are three modes', see=STATE)
 def mode(trial: Trial) -> None:
     drone = trial.start()
     expect_values(trial, drone, {'mode': 'hover'}, 'at first')
@@ -109,14 +108,14 @@ def at_the_start(trial: Trial) -> None:
 # -- 10.4b ----------------------------------------------------------------------------------------------------
 
 rename = Exercise('10.4b', 'A new name', CHAPTER, NODE_CLASS, node_name='wagon', hints=(
-    'Declare both names. `Mirror` of the chapter shows how a start value goes from one to the other and back, and how '
+    'Declare both names. `Twin` of the chapter shows how a start value goes from one to the other and back, and how '
     'a change of one becomes a change of both.',
     'The pre-set callback sees which name a request has used, so it is the one that can log a warning.',
     'An on-set callback sees both names. It collects the values of all that are called `width` or `width_mm`, and '
     'rejects the request if there are two different ones.'))
 
 
-@rename.require('what is set under one name can be read under the other', see=MIRROR)
+@rename.require('what is set under one name can be read under the other', see=TWIN)
 def both_ways(trial: Trial) -> None:
     wagon = trial.start()
     expect_values(trial, wagon, {'width_mm': 800, 'width': 800}, 'at first')
@@ -125,14 +124,14 @@ def both_ways(trial: Trial) -> None:
         expect_values(trial, wagon, {'width_mm': value, 'width': value}, f'once `{name} = {value}` is set')
 
 
-@rename.require('a start value reaches both names, whichever name the file uses', see=MIRROR)
+@rename.require('a start value reaches both names, whichever name the file uses', see=TWIN)
 def start_values(trial: Trial) -> None:
     for name in ('width', 'width_mm'):
         wagon = trial.start(ros_args=['-p', f'{name}:=600'])
         expect_values(trial, wagon, {'width_mm': 600, 'width': 600}, f'with the override `{name}:=600`')
 
 
-@rename.require('two names with two values, in one request, are rejected', see=MIRROR)
+@rename.require('two names with two values, in one request, are rejected', see=TWIN)
 def contradiction(trial: Trial) -> None:
     wagon = trial.start()
     expect_values(trial, wagon, {'width_mm': 800, 'width': 800}, 'at first')
@@ -157,7 +156,7 @@ def warnings_of(trial: Trial, request: Mapping[str, object]) -> list[str]:
     return [line.text for line in lines if line.level in ('WARN', 'ERROR') and line.time_ns >= began_ns]
 
 
-@rename.require('the log warns of the old name when it is set, and not of the new one', see=MIRROR)
+@rename.require('the log warns of the old name when it is set, and not of the new one', see=TWIN)
 def warns(trial: Trial) -> None:
     expect_values(trial, trial.start(), {'width_mm': 800, 'width': 800}, 'at first')
     for name in ('width', 'width_mm'):

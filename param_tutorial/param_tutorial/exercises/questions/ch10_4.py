@@ -34,8 +34,8 @@ PREDICTIONS = (
               'above the stored -5.'),
         wrong('It rejects the first as well as the second', 'The second passes: 30 is below the stored 40, and 20 is '
               'above the stored -5.'))),
-    Prediction('10.4-3', '`SecondTry` states the rule for the two temperatures with `rule`. Stored are -5 and 40. What '
-               'does the node answer to the pairs 50, 60 and 30, 20 now?', (
+    Prediction('10.4-3', 'The node has the rule for the two temperatures from `rule`. Stored are -5 and 40. What does '
+               'it answer to the pairs 50, 60 and 30, 20 now?', (
         right('It accepts the first and rejects the second', 'As it should be: the rule judges the pair that the node '
               'would hold after the change.'),
         wrong('It rejects the first and accepts the second', 'That was `FirstTry`, which compared each proposed value '
@@ -65,7 +65,7 @@ PREDICTIONS = (
         wrong('Only the later callback runs', 'Both are called, and rclpy concatenates their answers. That is the '
               'trouble.'))),
     Prediction('10.4-7', 'Both names hold 120. One atomic request sets `max_speed_rpm` to 10 and `speed` to 20. Each '
-               'name is a mirror of the other. What does `max_speed_rpm` hold afterwards?', (
+               'name is the twin of the other. What does `max_speed_rpm` hold afterwards?', (
         right('20', 'And `speed` is 20, too. The callback makes each of the two a change of both names, and the later '
               'one stays.'),
         wrong('10', 'The callback makes each of the two a change of both names. The later one stays, and that is 20.'),
