@@ -17,7 +17,7 @@ CHAPTERS = {path.name: nbformat.read(path, as_version=4) for path in sorted((ROO
 ROW = re.compile(r'\[([^]]+)\]\(([0-9]\w*\.ipynb)\) *\| *([^|]+?) *\| *(\d+(?: \+ \d+)?) *'
                  r'\|(?: *([^|\n]+?) *\|)?')
 # The chapters that are written for the reader's package.
-SHORT = [name for name in CHAPTERS if name < '10_5']
+SHORT = [name for name in CHAPTERS if name < '11']
 # Longer questions break on a page of usual width, and the table is no longer read at a glance.
 QUESTION_CHARACTERS = 72
 

@@ -13,7 +13,7 @@ _BODY = """    defaults = ParameterSet.defaults(node_class)
     return [outcome.name for outcome in restore(node, wanted) if outcome.word != 'set']"""
 
 WRONG = {
-    '10.5a': [
+    '10.5b': [
         ([(_THEN + _SET, _SET + _THEN)], 0, 'it is empty'),
         ([(_RESTORE, '')], 1, '`low_c` is `-30` and was `-5`'),
         ([(_THEN, ''), (_RESTORE, _RESTORE + _THEN)], 0, "name 'then' is not defined"),
@@ -29,7 +29,7 @@ WRONG = {
         # Never ends.
         ([(_RESTORE, 'while True: pass\n')], 0, 'was still running'),
     ],
-    '10.5b': [
+    '10.5a': [
         ([(_MEND, _MEND[_MEND.index('    if isinstance(before, float)'):])], 0, 'returned `True`'),
         ([('same_value(*pair)', 'type(pair[0]) is type(pair[1]) and pair[0] == pair[1]')], 1, 'returned `False`'),
         ([('isinstance(before, float) and ', '')], 0, 'TypeError: must be real number, not str'),
@@ -61,7 +61,7 @@ WRONG = {
 }
 
 RIGHT = {
-    '10.5a': [
+    '10.5b': [
         [("client.set_parameters_atomically({'low_c': -30, 'high_c': -10})",
           'winter = dict(high_c=-10, low_c=-30)\nclient.set_parameters_atomically(winter).raise_for_reason()')],
         # A try before it, and other ways back.
@@ -77,7 +77,7 @@ RIGHT = {
         # Indented, all of them.
         [('\n', '\n    ')],
     ],
-    '10.5b': [
+    '10.5a': [
         [('all(same_value(*pair) for pair in zip(before, after))', 'all(map(same_value, before, after))')],
         [(_MEND, '    return repr(before) == repr(after)\n')],
         [(_MEND, '''    from param_tools import values

@@ -1,4 +1,4 @@
-"""Exercises of chapter 10.5: try something and go back, compare as ROS does, and bring back the defaults."""
+"""Exercises of chapter 10.5: compare as ROS does, try something and go back, and bring back the defaults."""
 
 import math
 from collections.abc import Sequence
@@ -21,9 +21,9 @@ DIFFERS = 'What differs?'
 FOUR = 'Four things to compare'
 BACK = 'Back to where it was'
 
-# -- 10.5a ----------------------------------------------------------------------------------------------------
+# -- 10.5b ----------------------------------------------------------------------------------------------------
 
-experiment = Exercise('10.5a', 'An experiment in five lines', CHAPTER, TEXT, hints=(
+experiment = Exercise('10.5b', 'An experiment in five lines', CHAPTER, TEXT, hints=(
     "The first two lines are `client = ParameterClient('/robot')` and `then = ParameterSet.of(client)`.",
     'Two sets are compared: one from before the change, and what the robot holds after it. So the change comes between '
     'them.',
@@ -108,9 +108,9 @@ def leaves_it_alone(trial: Trial) -> None:
                          for each in compare(before, after)))
 
 
-# -- 10.5b ----------------------------------------------------------------------------------------------------
+# -- 10.5a ----------------------------------------------------------------------------------------------------
 
-equal = Exercise('10.5b', 'Compare arrays, too', CHAPTER, FUNCTION, hints=(
+equal = Exercise('10.5a', 'Compare arrays, too', CHAPTER, FUNCTION, hints=(
     'Begin with the lines of `same`. Two lists are both of type `list`; whether they are the same depends on their '
     'elements.',
     'Once the function knows what makes two single values the same, it may call itself for two elements.',
@@ -242,4 +242,4 @@ def reports_what_failed(trial: Trial) -> None:
                f'it returned `{returned!r}`')
 
 
-EXERCISES = (experiment, equal, factory)
+EXERCISES = (equal, experiment, factory)

@@ -17,7 +17,7 @@ RECALLS = (
         right('the values after the change', 'Proposed where there is one, and stored where there is none.'),
         wrong('each new with each old value', 'With both in one request, neither of the stored ones will be there '
               'afterwards.')),
-           chapter='10.4', section='Rules across parameters'),
+           chapter='10.4', section='Five gaps'),
 )
 
 PREDICTIONS = (
