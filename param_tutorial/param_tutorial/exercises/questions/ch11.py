@@ -15,7 +15,7 @@ RECALLS = (
         right('none of the three', 'One unknown name empties the whole answer.'),
         wrong('three, one of them unset', 'That is what the comment in the interface promises, and not what rclpy '
               'does.')),
-           chapter='10.2', section='Break it: a name too many'),
+           chapter='10.2', section='A name too many'),
 )
 
 PREDICTIONS = (
