@@ -11,7 +11,7 @@ from param_tools.errors import ExecutorError
 from param_tools.ros import graph, stage
 from param_tutorial import ParameterClient, exercises
 from param_tutorial.exercises import EXERCISES, trial
-from param_tutorial.exercises.chapters import ch05_3, ch11
+from param_tutorial.exercises.chapters import ch05_3
 from param_tutorial.exercises.results import Finding, Result
 from param_tutorial.learner.progress import FILE, VARIABLE, own_progress
 from param_tutorial.nodes.base_node import BaseNode
@@ -55,7 +55,7 @@ class Unreadable:
     (Unreadable(), 'a `Unreadable`'), (NeedsArguments, 'missing 2 required positional arguments'),
     (Raises, 'ValueError: no wheels'),
     (BaseNode, 'the check was given the class `BaseNode`'),
-    (type('Rover', (ch11.CartNode,), {}), 'the check was given the class `Rover`'),
+    (type('Rover', (BaseNode,), {}), 'the check was given the class `Rover`'),
 ])
 def test_the_check_of_a_rover_names_anything_else(ros, work, word):
     result = exercises.check('3b', work)
@@ -145,13 +145,6 @@ def test_a_button_callback_that_cannot_be_interrupted_is_reported_and_start_begi
     assert [finding.word for finding in result.findings] == ['not yet', 'not tried', 'not tried']
     stage.start()
     assert exercises.check('5.4a', solution('5.4a')).done
-
-
-def test_a_cart_that_is_launched_already_is_named(ros):
-    cart = ros.add(ch11.CartNode, ros_args=['-r', '__ns:=/aisle_3'])
-    result = exercises.check('11e', solution('11e'))
-    assert 'there is a `/aisle_3/cart_node` already: end it first' in not_yet(result).values()
-    assert ros.nodes == (cart,)
 
 
 def test_a_wrong_node_name_is_one_finding_and_the_rest_counts(ros):

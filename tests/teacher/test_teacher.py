@@ -28,7 +28,7 @@ def test_one_row_for_each_student_and_bad_files_are_named(tmp_path, told):
         ada.add_solved(number)
     ada.add_prediction('3-1', 'None', right=False)
     ada.add_prediction('3-2', 'It rejects it', right=True)
-    ProgressFile(tmp_path / 'Bob' / 'progress.json').add_solved('11f')
+    ProgressFile(tmp_path / 'Bob' / 'progress.json').add_solved('11b')
     ProgressFile(tmp_path / 'group 2' / 'cyd' / 'my_lessons' / 'progress.json').add_solved('not of this course')
     (tmp_path / 'broken.json').write_text('{')
     (tmp_path / 'Bob' / '.ipynb_checkpoints').mkdir()
@@ -43,7 +43,7 @@ def test_one_row_for_each_student_and_bad_files_are_named(tmp_path, told):
     assert (row['3'], row['5.2'], row['6.1']) == ('3/4', '1/3', '0/3')
     questions = len(PREDICTIONS) + len(RECALLS)
     assert (row['all'], row['predicted'], row['right']) == (f'4/{len(EXERCISES)}', f'2/{questions}', '1')
-    assert dict(zip(header, rows[1]))['11'] == '1/7'
+    assert dict(zip(header, rows[1]))['11'] == '1/3'
     assert rows[2][-3] == f'0/{len(EXERCISES)}'
     assert len(complained.splitlines()) == 1 and 'broken.json' in complained
 

@@ -6,8 +6,10 @@ import itertools
 import os
 import shutil
 import tempfile
+from collections import deque
 from collections.abc import Iterator, Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from geometry_msgs.msg import Twist
@@ -18,16 +20,25 @@ from param_tools.cli.launch.actions import LaunchDescription
 from param_tools.cli.launch.context import Context, LaunchFailed
 from param_tools.cli.launch.processes import Program
 from param_tools.cli.launch.reading import load_description
+from param_tools.markup.styles import style
 from param_tools.ros.environment import PACKAGE_IN_WORK
 from param_tutorial.exercises.exercise import Kind
-from param_tutorial.exercises.trial import NotYet, NoUse, Trial, cleared, expect
+from param_tutorial.exercises.trial import NotYet, NoUse, Trial, cleared, describe_error, expect
 from param_tutorial.learner.package_files import NAME, PackageFiles
+from param_tutorial.nodes.base_node import TICK_SEC, BaseNode
+from param_tutorial.nodes.driver_node import DriverNode
 from param_tutorial.package.following import FollowedPackage
 from param_tutorial.package.loading import LoadError, load_node_class
+from param_tutorial.views.drawing.track import Moment, draw_track
 
 LAUNCH, CONFIG = 'launch/my_robot_launch.py', 'config/my_robot.yaml'
 # The driver of chapter 5.2 takes a high speed only with a long distance; those before it have no such parameter.
 FAR = '-p', 'stop_distance_m:=5.0'
+
+# How long a command takes from the distance that the base has measured, as on the stage.
+DELAY_TICKS = 1
+PATIENCE_SEC = 300.0
+STYLE = style('param_tutorial/views/drawing/track.css') + style('param_tutorial/views/track.css')
 
 
 def file_of(work: FollowedPackage | PackageFiles, name: str) -> Path:
@@ -156,6 +167,72 @@ def expect_start_speeds(trial: Trial) -> None:
         with cleared(trial.ros):
             _, bench = start_on_bench(trial, *words)
             expect_speed(trial, bench, speed_mps, f'after a start with `max_speed_mps = {speed_mps}`')
+
+
+class Drive(NamedTuple):
+    """How a drive has ended."""
+
+    fastest_mps: float
+    gap_m: float
+    """How far the robot is from the wall."""
+    crash_speed_mps: float | None
+    """How fast it hit the wall, if it did."""
+    took_sec: float
+
+
+def drive(trial: Trial, floor: Mapping[str, float] = MappingProxyType({})) -> Drive:
+    """Let a new robot drive with the learner's settings until it is at rest; no time passes meanwhile.
+
+    :param floor: Values of the base's parameters.
+    :raises NoUse: it does not drive at all.
+    """
+    base, driver = trial.start(BaseNode), trial.start(DriverNode)
+    trial.client(base).set_parameters(floor)
+    trial.client(driver).set_parameters(trial.work)
+
+    def run() -> tuple[float, float]:
+        # The executor's thread is busy with this, so no message and no timer comes between.
+        base.reset()
+        commands, speeds = deque([0.0] * DELAY_TICKS), [0.0]
+        for _ in range(round(PATIENCE_SEC / TICK_SEC)):
+            driver.measure(Range(range=base.distance_m))
+            commands.append(driver.speed_mps)
+            command = Twist()
+            command.linear.x = commands.popleft()
+            base.take_command(command)
+            base.tick()
+            speeds.append(base.speed_mps)
+            if base.has_crashed or (base.position_m > 0 and not any((base.speed_mps, *commands))):
+                break
+        return max(speeds), len(speeds) * TICK_SEC
+
+    fastest_mps, took_sec = trial.ros.run(run, 'a drive')
+    if not base.position_m:
+        raise NoUse('a robot that drives', 'it stays at the start')
+    crash_speed_mps = base.crash_speed_mps if base.has_crashed else None
+    wall_m = base.position_m + base.distance_m
+    picture = draw_track(Moment('/base', wall_m, base.position_m, 0.0, 0.0, crash_speed_mps))
+    trial.picture = f'{STYLE}<div class="robot-view">{picture}</div>'
+    return Drive(fastest_mps, base.distance_m, crash_speed_mps, took_sec)
+
+
+def expect_settings(trial: Trial) -> None:
+    """Expect the learner's work to be settings that the driver accepts.
+
+    :raises NoUse: they are none, or it rejects one.
+    """
+    if not trial.work:
+        raise NoUse('at least one parameter and its value', 'there is no setting yet')
+    for name in trial.work:
+        if not isinstance(name, str):
+            raise NoUse('the names of parameters, as strings', f'`{name!r}` is not a string')
+    try:
+        results = trial.client(trial.start(DriverNode)).set_parameters(trial.work)
+    except (TypeError, ValueError) as error:
+        raise NoUse('values that a parameter can hold', describe_error(error)) from None
+    rejected = [str(result) for result in results if not result.successful]
+    if rejected:
+        raise NoUse('no value is rejected', '; '.join(rejected))
 
 
 class Launched(NamedTuple):

@@ -1,24 +1,16 @@
 """Exercises of chapter 1: two parameters that belong together, a number that becomes a parameter, and a default."""
 
 import math
-from collections import deque
-from typing import Any, NamedTuple
+from typing import Any
 
-from geometry_msgs.msg import Twist
-from sensor_msgs.msg import Range
-
-from param_tools.markup.styles import style
 from param_tools.node.client import ParameterClient
 from param_tools.ros.waiting import wait
 from param_tools.values import DOUBLE
 from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import WithSecondJudge, derive, expect_fixed_type, expect_start_value
 from param_tutorial.exercises.programs import PROGRAM, START_SEC, running
-from param_tutorial.exercises.steps import Bench, expect_speed
-from param_tutorial.exercises.trial import NotYet, NoUse, Trial, describe_error, expect
-from param_tutorial.nodes.base_node import TICK_SEC, BaseNode
-from param_tutorial.nodes.driver_node import DriverNode
-from param_tutorial.views.drawing.track import Moment, draw_track
+from param_tutorial.exercises.steps import Bench, drive, expect_settings, expect_speed
+from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 
 CHAPTER = '01_what_are_parameters'
 TOUCH = 'Touch it'
@@ -31,10 +23,6 @@ FILE = 'A default in a file'
 
 FAST_MPS = 2.0
 MOST_GAP_M = 1.0
-# How long a command takes from the distance that the base has measured, as on the stage.
-DELAY_TICKS = 1
-PATIENCE_SEC = 300.0
-STYLE = style('param_tutorial/views/drawing/track.css') + style('param_tutorial/views/track.css')
 
 fast = Exercise('1a', 'Fast and whole', CHAPTER, DICTIONARY, hints=(
     "A parameter and its value are written as in `'max_speed_mps': 2.0`, with a comma at the end of the line. The "
@@ -45,64 +33,9 @@ fast = Exercise('1a', 'Fast and whole', CHAPTER, DICTIONARY, hints=(
     'to a value between 2 and 3, and press **Back to the start**.'))
 
 
-class Drive(NamedTuple):
-    """How a drive has ended."""
-
-    fastest_mps: float
-    gap_m: float
-    """How far the robot is from the wall."""
-    crash_speed_mps: float | None
-    """How fast it hit the wall, if it did."""
-
-
-def drive(trial: Trial) -> Drive:
-    """Let a new robot drive with the learner's settings until it is at rest; no time passes meanwhile.
-
-    :raises NoUse: it does not drive at all.
-    """
-    base, driver = trial.start(BaseNode), trial.start(DriverNode)
-    trial.client(driver).set_parameters(trial.work)
-
-    def run() -> float:
-        # The executor's thread is busy with this, so no message and no timer comes between.
-        base.reset()
-        commands, speeds = deque([0.0] * DELAY_TICKS), [0.0]
-        for _ in range(round(PATIENCE_SEC / TICK_SEC)):
-            driver.measure(Range(range=base.distance_m))
-            commands.append(driver.speed_mps)
-            command = Twist()
-            command.linear.x = commands.popleft()
-            base.take_command(command)
-            base.tick()
-            speeds.append(base.speed_mps)
-            if base.has_crashed or (base.position_m > 0 and not any((base.speed_mps, *commands))):
-                break
-        return max(speeds)
-
-    fastest_mps = trial.ros.run(run, 'a drive')
-    if not base.position_m:
-        raise NoUse('a robot that drives', 'it stays at the start')
-    crash_speed_mps = base.crash_speed_mps if base.has_crashed else None
-    wall_m = base.position_m + base.distance_m
-    picture = draw_track(Moment('/base', wall_m, base.position_m, 0.0, 0.0, crash_speed_mps))
-    trial.picture = f'{STYLE}<div class="robot-view">{picture}</div>'
-    return Drive(fastest_mps, base.distance_m, crash_speed_mps)
-
-
 @fast.require('the driver accepts each of your settings', see=WORDS)
 def accepted(trial: Trial) -> None:
-    if not trial.work:
-        raise NoUse('at least one parameter and its value', 'there is no setting yet')
-    for name in trial.work:
-        if not isinstance(name, str):
-            raise NoUse('the names of parameters, as strings', f'`{name!r}` is not a string')
-    try:
-        results = trial.client(trial.start(DriverNode)).set_parameters(trial.work)
-    except (TypeError, ValueError) as error:
-        raise NoUse('values that a parameter can hold', describe_error(error)) from None
-    rejected = [str(result) for result in results if not result.successful]
-    if rejected:
-        raise NoUse('no value is rejected', '; '.join(rejected))
+    expect_settings(trial)
 
 
 @fast.require(f'the robot gets as fast as {FAST_MPS} m/s', see=TOUCH)
