@@ -40,10 +40,8 @@ def share_folder_of(package: str) -> Path:
 
     :raises PackageNotFound: there is no such package.
     """
-    in_work = package_in_work()
-    stands_in = package in provided() or (in_work is not None and package == in_work.name)
     # The error says where was searched, and should name no folder that nobody knows.
-    with _not_found(), provided_packages_installed() if stands_in else contextlib.nullcontext():
+    with _not_found(), provided_packages_installed() if package in _sources() else contextlib.nullcontext():
         return Path(get_package_share_directory(package))
 
 
@@ -59,10 +57,7 @@ def provided(environment: Mapping[str, str] = os.environ) -> dict[str, str]:
 def provided_packages_installed() -> Iterator[None]:
     """Let ``ament_index_python`` find the provided packages, too, unless the environment forbids it."""
     # At the end: a package of the same name that has been built and sourced comes first.
-    sources = {name: _source_folder(name, nodes) for name, nodes in provided().items()}
-    if in_work := package_in_work():
-        sources[in_work.name] = in_work
-    spaces = [os.environ.get(_SEARCH_PATH, ''), *(_stand_in(name, each) for name, each in sources.items() if each)]
+    spaces = [os.environ.get(_SEARCH_PATH, ''), *(_stand_in(name, each) for name, each in _sources().items())]
     with _searching(os.pathsep.join(filter(None, spaces))):
         yield
 
@@ -87,6 +82,13 @@ def _searching(search_path: str) -> Iterator[None]:
             del os.environ[_SEARCH_PATH]
         else:
             os.environ[_SEARCH_PATH] = before
+
+
+def _sources() -> dict[str, Path]:
+    """Return the folders of the packages that stand in without a build: the provided ones, and the one in work."""
+    found = {name: source for name, nodes in provided().items() if (source := _source_folder(name, nodes))}
+    in_work = package_in_work()
+    return {**found, in_work.name: in_work} if in_work else found
 
 
 def _source_folder(package: str, nodes: str) -> Path | None:

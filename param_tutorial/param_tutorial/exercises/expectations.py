@@ -387,6 +387,15 @@ def expect_range_fields(node: Node, name: str) -> None:
            f'{wrong}' + ('. A float has a dot, as in `0.0`' if "type 'float'" in wrong else ''))
 
 
+def expect_no_start(trial: Trial, words: Sequence[str], expected: str, happened: str) -> None:
+    """Expect the learner's node not to start with words after ``--ros-args``."""
+    try:
+        trial.start(ros_args=words)
+    except NoStart:
+        return
+    raise NotYet(expected, happened)
+
+
 def expect_override(trial: Trial, name: str, word: str, value: object) -> None:
     """Expect a parameter of the learner's node to have a value after a start with an override.
 

@@ -5,15 +5,19 @@ import contextlib
 import itertools
 import os
 import shutil
+import sys
 import tempfile
+import time
+import types
 from collections import deque
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from geometry_msgs.msg import Twist
 from rclpy.node import Node
+from rclpy.task import Future
 from sensor_msgs.msg import Range
 
 from param_tools.cli.launch.actions import LaunchDescription
@@ -22,6 +26,7 @@ from param_tools.cli.launch.processes import Program
 from param_tools.cli.launch.reading import load_description
 from param_tools.markup.styles import style
 from param_tools.ros.environment import PACKAGE_IN_WORK
+from param_tools.ros.service_types import SERVICE_TYPES
 from param_tutorial.exercises.exercise import Kind
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, cleared, describe_error, expect
 from param_tutorial.learner.package_files import NAME, PackageFiles
@@ -50,6 +55,14 @@ def file_of(work: FollowedPackage | PackageFiles, name: str) -> Path:
     if not files.text(name).strip():
         raise NoUse(f'a file `{name}` in your package', 'there is none, or nothing in it')
     return files.path(name)
+
+
+def text_of(work: FollowedPackage | PackageFiles, name: str) -> str:
+    """Return the text of a file in the reader's package.
+
+    :raises NoUse: there is none, or nothing in it.
+    """
+    return file_of(work, name).read_text(encoding='utf-8')
 
 
 def class_of(path: Path) -> type[Node]:
@@ -91,6 +104,53 @@ def expect_entry_points(setup: Path, *names: str) -> None:
         remark = '. Is there a comma between it and the other line?' if line in text else ''
         expect(any(''.join(str(each).split()) == line.replace(' ', '') for each in texts),
                f'`{line!r}` among the `console_scripts`', f'there is no such line{remark}')
+
+
+def setup_calls(files: PackageFiles) -> list[dict[str, Any]]:
+    """Run the ``setup.py`` of a package in its folder, as a build does, and return what it gives to ``setup``.
+
+    Nothing is built, so it works in a page, too.
+    """
+    calls: list[dict[str, Any]] = []
+    recorder = types.ModuleType('setuptools')
+    recorder.__dict__.update(setup=lambda **words: calls.append(words), find_packages=lambda *_, **__: [NAME])
+    before, folder = sys.modules.get('setuptools'), Path.cwd()
+    sys.modules['setuptools'] = recorder
+    os.chdir(files.root)
+    try:
+        exec(compile(files.text('setup.py'), 'setup.py', 'exec'), {'__name__': '__main__', '__file__': 'setup.py'})
+    finally:
+        os.chdir(folder)
+        if before is None:
+            del sys.modules['setuptools']
+        else:
+            sys.modules['setuptools'] = before
+    return calls
+
+
+class Silent(Node):
+    """A node whose parameter services are there, and never answer. It notes when it is asked."""
+
+    NAME = ''
+
+    def __init__(self) -> None:
+        super().__init__(self.NAME, start_parameter_services=False)
+        self.times_asked: list[float] = []
+        for name, service_type in SERVICE_TYPES.items():
+            self.create_service(service_type, f'~/{name}', self.take)
+
+    async def take(self, _request: object, response: object) -> object:
+        self.times_asked.append(time.monotonic())
+        return await Future()
+
+
+def log_of(trial: Trial, node: Node, since_ns: int, *levels: str) -> list[str]:
+    """Return what a node has logged since a time.
+
+    :param levels: Only lines of these; by default all.
+    """
+    return [each.text for each in trial.ros.node_log.recent(node.get_fully_qualified_name(), 500)
+            if each.time_ns >= since_ns and (not levels or each.level in levels)]
 
 
 class Bench(Node):
@@ -278,6 +338,23 @@ def copied(files: PackageFiles, config: str) -> Iterator[Path]:
                     os.environ[name] = value
 
 
+def carry_out(trial: Trial, root: Path, name: str, arguments: Mapping[str, str], log: Callable[[str, str, str], object]
+              ) -> tuple[LaunchDescription, list[Program]]:
+    """Return what a launch file of the package in a folder says, and what ``ros2 launch`` would start.
+
+    :raises NotYet: it cannot be carried out.
+    """
+    def work_out() -> tuple[LaunchDescription, list[Program]]:
+        description = load_description(root / name)
+        return description, description.execute(Context(dict(arguments), root, log=log))
+
+    try:
+        return trial.call('the launch file', work_out)  # type: ignore[no-any-return]
+    except NotYet as error:
+        raise NotYet('a launch file that `ros2 launch` can run', error.happened.replace(
+            f'{root}/', '').removeprefix(f'{LaunchFailed.__name__}: ')) from None
+
+
 def launch(trial: Trial, config: str, given: str | None = None, **arguments: str) -> Launched:
     """Work out what ``ros2 launch`` would start.
 
@@ -287,8 +364,7 @@ def launch(trial: Trial, config: str, given: str | None = None, **arguments: str
     :raises NotYet: it cannot be carried out.
     :raises NoUse: there is no launch file, or it starts something else than the driver.
     """
-    if not trial.work.text(LAUNCH).strip():
-        raise NoUse(f'a file `{LAUNCH}` in your package', 'there is none, or nothing in it')
+    file_of(trial.work, LAUNCH)
     with copied(trial.work, config) as root:
         warnings: list[str] = []
         if given is not None:
@@ -297,17 +373,8 @@ def launch(trial: Trial, config: str, given: str | None = None, **arguments: str
             if given:
                 path.write_text(given, encoding='utf-8')
 
-        def work_out() -> tuple[LaunchDescription, list[Program]]:
-            description = load_description(root / LAUNCH)
-            context = Context(dict(arguments), root, log=lambda level, _, text: warnings.append(text)
-                              if level == 'WARNING' else None)
-            return description, description.execute(context)
-
-        try:
-            description, found = trial.call('the launch file', work_out)
-        except NotYet as error:
-            raise NotYet('a launch file that `ros2 launch` can run', error.happened.replace(
-                f'{root}/', '').removeprefix(f'{LaunchFailed.__name__}: ')) from None
+        description, found = carry_out(trial, root, LAUNCH, arguments, lambda level, _, text: warnings.append(text)
+                                       if level == 'WARNING' else None)
         if [program.name for program in found] != ['driver_node']:
             names = ', '.join(f'`{program.name}`' for program in found) or 'nothing'
             raise NoUse('a launch file that starts `driver_node`, once', f'it starts {names}')

@@ -11,10 +11,8 @@ from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor, SetParam
 from rcl_interfaces.srv import SetParameters
 from rclpy.node import Node
 from rclpy.parameter import Parameter
-from rclpy.task import Future
 
 from param_tools.node.client import ParameterClient
-from param_tools.ros.service_types import SERVICE_TYPES
 from param_tools.ros.waiting import wait
 from param_tools.values import DOUBLE
 from param_tutorial.exercises.exercise import FUNCTION, Exercise
@@ -26,7 +24,7 @@ from param_tutorial.exercises.expectations import (
     take_type_for_granted,
 )
 from param_tutorial.exercises.programs import require_program
-from param_tutorial.exercises.steps import TUNER, TUNER_PROGRAM, class_of, expect_entry_points
+from param_tutorial.exercises.steps import TUNER, TUNER_PROGRAM, Silent, class_of, expect_entry_points, log_of
 from param_tutorial.exercises.trial import (
     GROUP_IS_BUSY,
     STUCK,
@@ -78,32 +76,15 @@ class Keeps(Driver):
     words = 'not while I am climbing'
 
 
-class Frozen(Node):
-    """A driver whose services are there, and never answer."""
+class Frozen(Silent):
+    """A driver that never answers."""
 
-    def __init__(self) -> None:
-        super().__init__('driver', start_parameter_services=False)
-        self.times_asked: list[float] = []
-        for name, service_type in SERVICE_TYPES.items():
-            self.create_service(service_type, f'~/{name}', self.take)
-
-    async def take(self, _request: object, response: object) -> object:
-        self.times_asked.append(time.monotonic())
-        return await Future()
+    NAME = 'driver'
 
 
 def at_speed(speed_mps: float) -> list[str]:
     """Return the words that start a driver with a speed."""
     return ['-p', f'max_speed_mps:={speed_mps}']
-
-
-def log_of(trial: Trial, tuner: Node, since_ns: int, *levels: str) -> list[str]:
-    """Return what a tuner has logged since a time.
-
-    :param levels: Only lines of these; by default all.
-    """
-    return [each.text for each in trial.ros.node_log.recent(tuner.get_fully_qualified_name(), 500)
-            if each.time_ns >= since_ns and (not levels or each.level in levels)]
 
 
 def expect_log(trial: Trial, tuner: Node, since_ns: int, text: str, when: str) -> None:

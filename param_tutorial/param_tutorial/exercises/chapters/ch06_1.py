@@ -7,13 +7,14 @@ from param_tutorial.exercises.expectations import (
     expect_accepted,
     expect_answers,
     expect_declared,
+    expect_no_start,
     expect_range,
     expect_range_fields,
     expect_rejected,
     take_type_for_granted,
 )
 from param_tutorial.exercises.steps import DRIVER, expect_speed, start_on_bench
-from param_tutorial.exercises.trial import NoStart, NotYet, Trial, expect, overrides
+from param_tutorial.exercises.trial import Trial, expect, overrides
 
 CHAPTER = '06_1_descriptors_and_ranges'
 FIELDS = 'Eight fields'
@@ -81,11 +82,8 @@ def judges_brakes(trial: Trial) -> None:
         (expect_accepted if is_good else expect_rejected)(trial, driver, new, _WHICH)
     trial.start(ros_args=overrides({SPEED: 1.2, BRAKING: 3.0}))
     for start in ({BRAKING: 0.2}, {SPEED: 2.0}):
-        try:
-            trial.start(ros_args=overrides(start))
-        except NoStart:
-            continue
-        raise NotYet('no start with ' + ' '.join(overrides(start)), 'it started, with too little room to brake')
+        words = overrides(start)
+        expect_no_start(trial, words, 'no start with ' + ' '.join(words), 'it started, with too little room to brake')
 
 
 @brakes.require('`additional_constraints` of all three parameters tells the rule, with the names of the three',

@@ -16,12 +16,13 @@ from param_tutorial.exercises.expectations import (
     expect_accepted,
     expect_answers,
     expect_declared,
+    expect_no_start,
     expect_override,
     expect_range,
     expect_rejected,
 )
 from param_tutorial.exercises.steps import DRIVER, Bench, expect_commands, expect_speed, start_on_bench
-from param_tutorial.exercises.trial import NoStart, NotYet, Trial, expect, overrides, take_for_granted
+from param_tutorial.exercises.trial import Trial, expect, overrides, take_for_granted
 
 CHAPTER = '06_2_locks_types_and_order'
 EFFECT = 'Accepted, and without effect'
@@ -75,11 +76,8 @@ def as_before(trial: Trial) -> None:
     expect_speed(trial, bench, 0.75, 'once `max_speed_mps = 0.75` is stored')
     bench.measure(0.3)
     expect_speed(trial, bench, 0.0, '0.3 m before the wall')
-    try:
-        trial.start(ros_args=overrides({'max_speed_mps': 2.0}))
-    except NoStart:
-        return
-    raise NotYet('no start with `-p max_speed_mps:=2.0`', 'the node started')
+    expect_no_start(trial, overrides({'max_speed_mps': 2.0}), 'no start with `-p max_speed_mps:=2.0`',
+                    'the node started')
 
 
 mend = Exercise('6.2b', 'Fix three declarations', CHAPTER, NODE_CLASS, node_name='hoist', hints=(
@@ -114,12 +112,8 @@ def defaults(trial: Trial, name: str) -> list[list[object]]:
 
 def expect_no_override(trial: Trial, name: str, word: str) -> None:
     """Expect the learner's node not to start with a value of another type."""
-    try:
-        trial.start(ros_args=['-p', f'{name}:={word}'])
-    except NoStart:
-        return
-    raise NotYet(f'no start with `-p {name}:="{word}"`, which has another type',
-                 'the node started with it: the type may change')
+    expect_no_start(trial, ['-p', f'{name}:={word}'], f'no start with `-p {name}:="{word}"`, which has another type',
+                    'the node started with it: the type may change')
 
 
 @mend.require('`serial` is `H-01` and read-only, and a start with `-p serial:=H-07` gives another', see=FIXED)

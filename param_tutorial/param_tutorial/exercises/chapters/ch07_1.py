@@ -1,9 +1,6 @@
 """Exercises of chapter 7.1: the reader's parameter file and its installation, and a dump with five traps."""
 
-import os
 import re
-import sys
-import types
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +9,7 @@ from rclpy.node import Node
 from param_tools import values
 from param_tools.files import parameter_files
 from param_tutorial.exercises.exercise import TEXT, Exercise
-from param_tutorial.exercises.steps import PACKAGE, class_of
+from param_tutorial.exercises.steps import PACKAGE, class_of, setup_calls
 from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, describe_error, expect
 from param_tutorial.learner.package_files import NAME, PackageFiles, our_copy
 
@@ -146,30 +143,16 @@ installed = Exercise('7.1b', 'The package takes it along', CHAPTER, PACKAGE, hin
 def installs(files: PackageFiles) -> dict[str, str]:
     """Return what a package's ``setup.py`` has installed as data: each path in the install space, and its source.
 
-    The file runs as in a build, in its folder, and what it gives to ``setup`` is read.
-
     :raises NoUse: it raises an exception, or gives nothing that can be installed.
     """
-    given: dict[str, Any] = {}
-    recorder = types.ModuleType('setuptools')
-    recorder.__dict__.update(setup=lambda **words: given.update(words), find_packages=lambda *_, **__: [NAME])
-    before, folder = sys.modules.get('setuptools'), Path.cwd()
-    sys.modules['setuptools'] = recorder
-    os.chdir(files.root)
     try:
-        exec(compile(files.text('setup.py'), 'setup.py', 'exec'), {'__name__': '__main__', '__file__': 'setup.py'})
+        calls = setup_calls(files)
         return {f'{place}/{Path(source).name}': str(source)
-                for place, sources in given.get('data_files', ()) for source in _as_list(sources)}
+                for given in calls for place, sources in given.get('data_files', ()) for source in _as_list(sources)}
     except SyntaxError as error:
         raise NoUse('a `setup.py` that Python can read', f'{error.msg}, in line {error.lineno}') from None
     except (Exception, SystemExit) as error:
         raise NoUse('a `setup.py` that runs to its end', describe_error(error)) from None
-    finally:
-        os.chdir(folder)
-        if before is None:
-            del sys.modules['setuptools']
-        else:
-            sys.modules['setuptools'] = before
 
 
 def _as_list(sources: Any) -> list[Any]:

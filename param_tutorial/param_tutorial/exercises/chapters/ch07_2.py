@@ -5,17 +5,13 @@ from a path on this computer, comes to light.
 """
 
 import contextlib
-import os
 import re
-import sys
 from collections.abc import Mapping
 from pathlib import Path
-from types import SimpleNamespace
-from typing import Any
 from xml.etree import ElementTree
 
 from param_tutorial.exercises.exercise import Exercise
-from param_tutorial.exercises.steps import CONFIG, LAUNCH, PACKAGE, launch
+from param_tutorial.exercises.steps import CONFIG, LAUNCH, PACKAGE, launch, setup_calls
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect, take_for_granted
 from param_tutorial.learner.package_files import NAME, PackageFiles
 
@@ -86,29 +82,17 @@ install = Exercise('7.2b', 'What your package installs', CHAPTER, PACKAGE, hints
 def installed(trial: Trial) -> dict[str, Path]:
     """Return what `data_files` installs: the path in the install space, and the file in the package.
 
-    Nothing is built, so it works in a page, too.
-
     :raises NoUse: `setup.py` cannot be run.
     """
     files: PackageFiles = trial.work
-    calls: list[dict[str, Any]] = []
-    setuptools: Any = SimpleNamespace(setup=lambda **options: calls.append(options), find_packages=lambda **_: [NAME])
-    before, folder = sys.modules.get('setuptools'), Path.cwd()
-    sys.modules['setuptools'] = setuptools
-    os.chdir(files.root)  # as in a build, for `glob`
     try:
-        trial.call('it', lambda: exec(compile(files.text('setup.py'), 'setup.py', 'exec'), {'__name__': '__main__'}))
+        calls = trial.call('it', setup_calls, files)
         found = {f'{target}/{Path(each).name}': files.root / each
                  for target, sources in calls[0].get('data_files', ()) for each in sources}
     except NotYet as error:
         raise NoUse('a `setup.py` that Python can run', error.happened) from None
     except (IndexError, TypeError, ValueError):
         raise NoUse('`data_files` with pairs of a folder and a list of files', 'one of them is none') from None
-    finally:
-        os.chdir(folder)
-        sys.modules.pop('setuptools')
-        if before:
-            sys.modules['setuptools'] = before
     missing = [f'`{each.relative_to(files.root)}`' for each in found.values() if not each.is_file()]
     if missing:
         raise NoUse('entries in `data_files` for files that are there', f'there is no {", ".join(missing)}')

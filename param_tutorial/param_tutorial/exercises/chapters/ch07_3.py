@@ -10,7 +10,7 @@ from rclpy.node import Node
 from param_tools.files.parsing import Parser
 from param_tutorial.exercises.exercise import LIST, TEXT, Exercise
 from param_tutorial.exercises.expectations import expect_text
-from param_tutorial.exercises.steps import CONFIG, PACKAGE, class_of, launch
+from param_tutorial.exercises.steps import CONFIG, PACKAGE, class_of, launch, text_of
 from param_tutorial.exercises.trial import CORNER, NotTried, NotYet, NoUse, Trial, expect, take_for_granted
 from param_tutorial.learner.package_files import our_copy
 
@@ -30,20 +30,10 @@ move = Exercise('7.3a', 'A file for every namespace', CHAPTER, PACKAGE, hints=(
     '`namespace=LaunchConfiguration("namespace")` stands beside the name.'))
 
 
-def text_of(trial: Trial, name: str) -> str:
-    """Return the text of a file of the package.
-
-    :raises NoUse: there is none.
-    """
-    if not (text := trial.work.text(name)).strip():
-        raise NoUse(f'a file `{name}` in your package', 'there is none, or nothing in it')
-    return str(text)
-
-
 def given(trial: Trial) -> dict[str, Any]:
     """Return what the reader's parameter file gives."""
     parser = Parser(tolerant=True)
-    parser.parse(text_of(trial, CONFIG).encode(), CONFIG)
+    parser.parse(text_of(trial.work, CONFIG).encode(), CONFIG)
     if not (found := {each.name: each.value for each in parser.assignments}):
         raise NoUse(f'values in `{CONFIG}`', 'there is none')
     return found
@@ -54,7 +44,8 @@ def start_driver(trial: Trial, *words: str, namespace: str = '') -> Node:
 
     :param words: Further ones, after the file.
     """
-    return trial.start_with_files(class_of(trial.work.path('driver_node.py')), {'config.yaml': text_of(trial, CONFIG)},
+    files = {'config.yaml': text_of(trial.work, CONFIG)}
+    return trial.start_with_files(class_of(trial.work.path('driver_node.py')), files,
                                   '--params-file', 'config.yaml', *words, namespace=namespace)
 
 
@@ -91,7 +82,7 @@ def launched(trial: Trial, name: str, config: str = '', **arguments: str) -> Nod
 
     :param config: The text of another file, for the argument ``params_file``.
     """
-    found = launch(trial, text_of(trial, CONFIG), config or None, **arguments)
+    found = launch(trial, text_of(trial.work, CONFIG), config or None, **arguments)
     node = found.start(trial)
     words = ''.join(f' {argument}:={value}' for argument, value in arguments.items())
     expect(name_of(node) == name, f'`{name}`' + (f' with `{words.strip()}`' if words else ' without arguments'),

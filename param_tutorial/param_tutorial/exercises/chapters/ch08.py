@@ -25,7 +25,7 @@ from param_tutorial.exercises.expectations import (
     expect_rejected,
     format_found,
 )
-from param_tutorial.exercises.steps import PACKAGE, Bench, class_of, expect_speed
+from param_tutorial.exercises.steps import PACKAGE, Bench, class_of, expect_speed, file_of
 from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, expect, overrides, take_for_granted
 from param_tutorial.learner.package_files import PackageFiles, ours
 from param_tutorial.notebook.terminal import Terminal
@@ -130,8 +130,7 @@ def run_tests(trial: Trial, *changes: Mapping[str, str]) -> list[dict[str, str]]
     :raises NoUse: there are none, or they don't end.
     """
     files: PackageFiles = trial.work
-    if not files.text(FILE).strip():
-        raise NoUse(f'a file `{FILE}` in your package', 'there is none, or nothing in it')
+    file_of(files, FILE)
     with tempfile.TemporaryDirectory() as folder:
         roots = []
         for number, changed in enumerate(changes):

@@ -18,7 +18,7 @@ from param_tutorial.exercises.expectations import (
     expect_rejected,
     format_found,
 )
-from param_tutorial.exercises.steps import DRIVER, PACKAGE, class_of, expect_entry_points, file_of
+from param_tutorial.exercises.steps import DRIVER, PACKAGE, class_of, expect_entry_points, file_of, text_of
 from param_tutorial.exercises.trial import NoUse, Trial, expect, take_for_granted
 
 CHAPTER = '09_from_ros1'
@@ -96,7 +96,7 @@ def gripper_with_file(trial: Trial, namespace: str = '') -> Any:
 
     :raises NoUse: there is none, or rcl cannot read it.
     """
-    text = file_of(trial.work, 'config/gripper.yaml').read_text(encoding='utf-8')
+    text = text_of(trial.work, 'config/gripper.yaml')
     return trial.start_with_files(Gripper, {'gripper.yaml': text}, '--params-file', 'gripper.yaml', namespace=namespace)
 
 
@@ -113,11 +113,10 @@ def has_values_anywhere(trial: Trial) -> None:
 
 @move.require('`setup.py` installs it, and names the executable `gripper_node`', see=FILE)
 def is_installed(trial: Trial) -> None:
-    setup = file_of(trial.work, 'setup.py')
-    text = setup.read_text(encoding='utf-8')
+    text = text_of(trial.work, 'setup.py')
     expect('config/gripper.yaml' in text or 'config/*' in text, "`'config/gripper.yaml'` among the `data_files`",
            'it is not there')
-    expect_entry_points(setup, 'driver_node', 'tuner_node', 'gripper_node')
+    expect_entry_points(trial.work.path('setup.py'), 'driver_node', 'tuner_node', 'gripper_node')
 
 
 def expect_held(trial: Trial, node: Node, after: str, wanted: dict[str, Any]) -> None:

@@ -10,13 +10,11 @@ from rcl_interfaces.srv import GetParameters
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.node import Node
 from rclpy.parameter import Parameter
-from rclpy.task import Future
 
 from param_tools import values
-from param_tools.ros.service_types import SERVICE_TYPES
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import NotesQuestions, awake, expect_no_gap, expect_no_wait, start_asking
-from param_tutorial.exercises.steps import TUNER
+from param_tutorial.exercises.steps import TUNER, Silent, log_of
 from param_tutorial.exercises.trial import TIME_LIMIT_SEC, NotYet, NoUse, Trial, expect, take_for_granted
 
 CHAPTER = '10_2_asking_another_node'
@@ -169,18 +167,10 @@ class Driver(Node):
         return SetParametersResult(successful=True)
 
 
-class Mute(Node):
-    """A base whose services are there, and never answer."""
+class Mute(Silent):
+    """A base that never answers."""
 
-    def __init__(self) -> None:
-        super().__init__('base', start_parameter_services=False)
-        self.times_asked = 0
-        for name, service_type in SERVICE_TYPES.items():
-            self.create_service(service_type, f'~/{name}', self.take)
-
-    async def take(self, _request: object, response: object) -> object:
-        self.times_asked += 1
-        return await Future()
+    NAME = 'base'
 
 
 def expect_speed(trial: Trial, driver: Driver, speed_mps: float, when: str) -> None:
@@ -195,9 +185,8 @@ def expect_speed(trial: Trial, driver: Driver, speed_mps: float, when: str) -> N
 def expect_warning(trial: Trial, tuner: Node, when: str) -> None:
     """Expect a tuner to log one more warning."""
     since_ns = time.time_ns()
-    trial.wait(lambda: any(each.time_ns >= since_ns and each.level in ('WARN', 'ERROR') for each in
-                           trial.ros.node_log.recent(tuner.get_fully_qualified_name(), 100)),
-               f'a warning in the log, {when}', lambda: trial.raised() or 'there is none')
+    trial.wait(lambda: log_of(trial, tuner, since_ns, 'WARN', 'ERROR'), f'a warning in the log, {when}',
+               lambda: trial.raised() or 'there is none')
 
 
 @protects.require('the driver is no faster than the base can stop within its stop distance', see=ASK_TWICE)

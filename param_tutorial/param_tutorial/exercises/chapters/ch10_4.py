@@ -9,8 +9,8 @@ from rclpy.node import Node
 
 from param_tools.ros.node_log import LogLine
 from param_tutorial.exercises.exercise import NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import expect_accepted, expect_rejected
-from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.expectations import expect_accepted, expect_no_start, expect_rejected
+from param_tutorial.exercises.trial import NoUse, Trial, expect, overrides
 
 CHAPTER = '10_4_beyond_today'
 STATE = 'A rule in a dozen lines'
@@ -18,7 +18,7 @@ ACROSS = 'Five gaps'
 TWIN = 'Names that change'
 
 
-def expect_no_start(trial: Trial, requests: Sequence[Mapping[str, object]]) -> None:
+def expect_no_starts(trial: Trial, requests: Sequence[Mapping[str, object]]) -> None:
     """Expect the learner's node not to start with what it rejects while it runs.
 
     What it accepts then is the business of another requirement.
@@ -26,14 +26,10 @@ def expect_no_start(trial: Trial, requests: Sequence[Mapping[str, object]]) -> N
     client = trial.client(trial.start())
     rejected = [each for each in requests if not client.set_parameters_atomically(each)[0].successful]
     for request in rejected or requests[:1]:
-        overrides = [f'{name}:={value}' for name, value in request.items()]
-        try:
-            trial.start(ros_args=[word for each in overrides for word in ('-p', each)])
-        except NoStart:
-            continue
-        raise NotYet(f'with `{" ".join(overrides)}` the node does not start',
-                     'it started. What is registered after the declarations never sees an override: judge the start '
-                     'values, too')
+        words = overrides(request)
+        expect_no_start(trial, words, f'with `{" ".join(words[1::2])}` the node does not start',
+                        'it started. What is registered after the declarations never sees an override: judge the start '
+                        'values, too')
 
 
 def expect_values(trial: Trial, node: Node, wanted: Mapping[str, object], when: str) -> None:
@@ -99,7 +95,7 @@ def order(trial: Trial) -> None:
 
 @rules.require('with an override that breaks a rule the drone does not start', see=STATE)
 def at_the_start(trial: Trial) -> None:
-    expect_no_start(trial, [{'mode': 'loop'}, {'call_sign': 'ABCD'}, {'land_percent': 40}, {'home_percent': 5},
+    expect_no_starts(trial, [{'mode': 'loop'}, {'call_sign': 'ABCD'}, {'land_percent': 40}, {'home_percent': 5},
                             {'land_percent': 70, 'home_percent': 60}])
     drone = trial.start(ros_args=['-p', 'land_percent:=40', '-p', 'home_percent:=50', '-p', 'mode:=track'])
     expect_values(trial, drone, {'land_percent': 40, 'home_percent': 50, 'mode': 'track'}, 'as the overrides say')

@@ -3,12 +3,10 @@
 import ast
 import re
 
-from param_tools.cli.launch.context import Context, LaunchFailed
 from param_tools.cli.launch.processes import Program
-from param_tools.cli.launch.reading import load_description
 from param_tutorial.exercises.exercise import DICTIONARY, Exercise
-from param_tutorial.exercises.steps import CONFIG, PACKAGE, copied, drive, expect_settings, file_of
-from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect, take_for_granted
+from param_tutorial.exercises.steps import CONFIG, PACKAGE, carry_out, copied, drive, expect_settings, file_of, text_of
+from param_tutorial.exercises.trial import NoUse, Trial, expect, take_for_granted
 
 CHAPTER = '11_conclusion'
 VERSION = 'A version'
@@ -41,7 +39,7 @@ def version_in_setup(text: str) -> object:
 
 @release.require(f'`package.xml` says {NUMBER}', see=VERSION)
 def package_says(trial: Trial) -> None:
-    text = file_of(trial.work, 'package.xml').read_text(encoding='utf-8')
+    text = text_of(trial.work, 'package.xml')
     found = re.search(r'<version[^>]*>\s*([^<\s]*)\s*</version>', text)
     expect(found and found[1] == NUMBER, f'`<version>{NUMBER}</version>`',
            f'it says `{found[1]}`' if found else 'there is no `<version>`')
@@ -49,14 +47,13 @@ def package_says(trial: Trial) -> None:
 
 @release.require('`setup.py` says the same', see=VERSION)
 def setup_says(trial: Trial) -> None:
-    found = version_in_setup(file_of(trial.work, 'setup.py').read_text(encoding='utf-8'))
+    found = version_in_setup(text_of(trial.work, 'setup.py'))
     expect(found == NUMBER, f'`version={NUMBER!r}`', f'it says `{found!r}`')
 
 
 @release.require('`package.xml` names each ROS package that your nodes import', see=VERSION)
 def names_dependencies(trial: Trial) -> None:
-    named = set(re.findall(r'<(?:exec_|build_)?depend>\s*([\w-]+)\s*<', file_of(trial.work, 'package.xml').read_text(
-        encoding='utf-8')))
+    named = set(re.findall(r'<(?:exec_|build_)?depend>\s*([\w-]+)\s*<', text_of(trial.work, 'package.xml')))
     for path in sorted((trial.work.root / 'my_robot').glob('*_node.py')):
         for each in re.findall(r'^(?:from|import) (\w+)', path.read_text(encoding='utf-8'), re.MULTILINE):
             if each == 'rclpy' or each.endswith(('_msgs', '_interfaces')):
@@ -81,15 +78,8 @@ def programs(trial: Trial) -> list[Program]:
     :raises NoUse: there is none.
     """
     file_of(trial.work, LAUNCH)
-    config = file_of(trial.work, CONFIG).read_text(encoding='utf-8')
-    with copied(trial.work, config) as root:
-        try:
-            found: list[Program] = trial.call('the launch file', lambda: load_description(root / LAUNCH).execute(
-                Context({}, root, log=lambda *_: None)))
-        except NotYet as error:
-            raise NotYet('a launch file that `ros2 launch` can run', error.happened.replace(
-                f'{root}/', '').removeprefix(f'{LaunchFailed.__name__}: ')) from None
-        return found
+    with copied(trial.work, text_of(trial.work, CONFIG)) as root:
+        return carry_out(trial, root, LAUNCH, {}, lambda *_: None)[1]
 
 
 @fleet.require(f'`{LAUNCH}` starts two drivers, `/left/driver` and `/right/driver`', see=TWO)
@@ -114,7 +104,7 @@ def both_get_file(trial: Trial) -> None:
 
 @fleet.require('`setup.py` installs both launch files', see=TWO)
 def is_installed(trial: Trial) -> None:
-    text = file_of(trial.work, 'setup.py').read_text(encoding='utf-8')
+    text = text_of(trial.work, 'setup.py')
     for each in ('launch/my_robot_launch.py', LAUNCH):
         expect(each in text or 'launch/*' in text, f'`{each!r}` among the `data_files`', 'it is not there')
 
