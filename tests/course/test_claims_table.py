@@ -11,7 +11,7 @@ from tests.tools import notebook_lint
 TESTS = {path.stem: path.read_text() for path in (ROOT / 'tests').rglob('test_*.py')}
 IDS = [f'A{number:03}' for number in range(1, 162)]
 
-SECTION = re.compile(r'`(\d\w*)` › (.+)')
+SECTION = re.compile(r'`(\d\w*|deeper/\w+)` › (.+)')
 TEST = re.compile(r'`(test_\w+)::(test_\w+)`')
 
 
@@ -43,6 +43,7 @@ def sections(path):
 
 
 CHAPTERS = {path.stem: sections(path) for path in NOTEBOOKS.glob('[0-9]*.ipynb')}
+CHAPTERS |= {f'deeper/{path.stem}': sections(path) for path in (NOTEBOOKS / 'deeper').glob('*.ipynb')}
 SECTIONS = [(chapter, heading, cells) for chapter, parts in CHAPTERS.items() for heading, cells in parts.items()]
 
 

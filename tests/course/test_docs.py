@@ -12,11 +12,11 @@ from tests.support.paths import ROOT
 
 PAGES = ['README.md', 'notebooks/index.md', 'environment/README.md', 'environment/dependencies.md', 'tests/README.md',
          '.github/CONTRIBUTING.md', 'param_tutorial/README.md', 'param_tutorial/param_tools/README.md']
-NOTEBOOKS = sorted((ROOT / 'notebooks').rglob('[0-9]*.ipynb'))
+NOTEBOOKS = sorted((ROOT / 'notebooks').rglob('*.ipynb'))
 CHAPTERS = {path.name: nbformat.read(path, as_version=4) for path in sorted((ROOT / 'notebooks').glob('[0-9]*.ipynb'))}
 ROW = re.compile(r'\[([^]]+)\]\(([0-9]\w*\.ipynb)\) *\| *([^|]+?) *\| *(\d+(?: \+ \d+)?) *'
                  r'\|(?: *([^|\n]+?) *\|)?')
-# The chapters that are written for the reader's package.
+DEEPER = {path.name: nbformat.read(path, as_version=4) for path in (ROOT / 'notebooks/deeper').glob('*.ipynb')}
 # Longer questions break on a page of usual width, and the table is no longer read at a glance.
 QUESTION_CHARACTERS = 72
 
@@ -71,14 +71,30 @@ def test_a_chapter_has_the_shape_of_all():
 def test_a_chapter_is_short_and_the_reader_types_early():
     for name, chapter in CHAPTERS.items():
         cells = chapter.cells
-        prose = '\n'.join(cell.source for cell in cells if cell.cell_type == 'markdown')
-        prose = re.sub(r'```.*?```|<[^>]+>|\]\([^)]*\)', '', prose, flags=re.DOTALL)
-        assert sum(bool(re.search(r'\w', word)) for word in prose.split()) <= 1500, f'{name}: words'
+        assert words_of(chapter) <= 1500, f'{name}: words'
         assert len(cells) <= 60, f'{name}: cells'
         turn = next(at for at, cell in enumerate(cells) if cell.id.startswith('check-'))
         assert turn <= 0.4 * len(cells), f'{name}: the first turn of the reader'
         shown = [cell.source for cell in cells if cell.cell_type == 'code' and not cell.id.startswith('exercise-')]
         assert len(re.findall('^class ', '\n'.join(shown), re.MULTILINE)) <= 3, f'{name}: classes to throw away'
+
+
+def words_of(notebook):
+    """Count the words of a notebook's text, without code, HTML, and where links lead."""
+    prose = '\n'.join(cell.source for cell in notebook.cells if cell.cell_type == 'markdown')
+    prose = re.sub(r'```.*?```|<[^>]+>|\]\([^)]*\)', '', prose, flags=re.DOTALL)
+    return sum(bool(re.search(r'\w', word)) for word in prose.split())
+
+
+def test_what_goes_deeper_is_one_short_notebook_a_subject():
+    page = (ROOT / 'notebooks/index.md').read_text()
+    assert sorted(re.findall(r'\(deeper/(\w+\.ipynb)\)', page)) == sorted(DEEPER)
+    assert len(DEEPER) <= 13 and sum(map(words_of, DEEPER.values())) <= 10_000
+    links = {target for chapter in CHAPTERS.values() for cell in chapter.cells if cell.cell_type == 'markdown'
+             for target in re.findall(r'\(deeper/(\w+\.ipynb)', cell.source)}
+    assert links == set(DEEPER)
+    for name, notebook in DEEPER.items():
+        assert notebook.cells[-1].source.splitlines()[-1].startswith('Back to [chapter '), name
 
 
 def test_links_lead_somewhere():

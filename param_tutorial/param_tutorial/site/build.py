@@ -16,7 +16,7 @@ from param_tutorial.site.browser import lite
 from param_tutorial.site.live.site import Live
 from param_tutorial.site.pages.chapter import COURSE, chapter_source
 from param_tutorial.site.pages.front_page import front_page_source
-from param_tutorial.site.pages.links import LAB, NOTEBOOKS
+from param_tutorial.site.pages.links import DEEPER, LAB, NOTEBOOKS
 from param_tutorial.site.pages.writing import BuildError, write_pages, write_static
 from param_tutorial.site.replacing import replace
 
@@ -40,7 +40,7 @@ class Site:
     def __init__(self, notebooks: Path, target: Path, work: Path, names: list[str] | None = None, *,
                  has_lab: bool = False):
         """
-        :param notebooks: The folder of the chapters.
+        :param notebooks: The folder of the chapters, and of the folder of those that go deeper.
         :param target: Where the site will be.
         :param work: Where runs of chapters and Sphinx's memory are kept from one build to the next.
         :param names: What the names of the wanted chapters begin with; by default all.
@@ -48,7 +48,7 @@ class Site:
         :raises BuildError: there is no such chapter.
         """
         self._has_lab = has_lab
-        found = sorted(notebooks.glob('[0-9]*.ipynb'))
+        found = [*sorted(notebooks.glob('[0-9]*.ipynb')), *sorted((notebooks / DEEPER).glob('*.ipynb'))]
         self.chapters = [path for path in found
                          if names is None or any(path.stem.startswith(name) for name in names)]
         if not self.chapters:
@@ -64,10 +64,11 @@ class Site:
         :raises BuildError: Sphinx is not content.
         :raises PagePythonError: the Python of a page can't be put together.
         """
-        self.live.run(self.chapters)
+        self.live.run(self.chapters, self.notebooks)
         self._write_sources()
         print('Writing the pages', flush=True)
-        settings = {**self.live.settings(), 'html_context.lab': LAB if self._has_lab else ''}
+        settings = {**self.live.settings(), 'html_context.lab': LAB if self._has_lab else '',
+                    'html_context.deeper': [path.stem for path in self.chapters if path.parent.name == DEEPER]}
         write_pages(self.work / 'source', self.work / 'html', self.work / 'doctrees', settings=settings)
         self._delete_stale_pages()
         if self._has_lab:
@@ -112,7 +113,7 @@ class Site:
         for path in self.chapters:
             page = chapter_source(path, self.live.chapters[path], pages, has_lab=self._has_lab)
             sources[Path(path.name)] = nbformat.writes(page) + '\n'
-            sources[download / path.name] = path.read_text(encoding='utf-8')
+            sources[download / path.relative_to(self.notebooks)] = path.read_text(encoding='utf-8')
         for path in sorted((self.notebooks / 'solutions').glob('*.ipynb')):
             if path.stem in pages:
                 sources[download / 'solutions' / path.name] = path.read_text(encoding='utf-8')

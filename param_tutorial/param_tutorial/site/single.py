@@ -31,7 +31,7 @@ def build(site: Site) -> Path:
         names = ', '.join(path.stem for path in site.chapters)
         raise BuildError(f'this means more than one chapter: {names}. Write more of its name.')
     path, = site.chapters
-    site.live.run(site.chapters)
+    site.live.run(site.chapters, site.notebooks)
     folder = site.work / 'single' / path.stem
     shutil.rmtree(folder, ignore_errors=True)
     source = folder / 'source'

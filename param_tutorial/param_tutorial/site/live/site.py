@@ -33,9 +33,10 @@ class Live:
         self.chapters: dict[Path, LiveChapter] = {}
         self._python = ''
 
-    def run(self, paths: list[Path]) -> None:
+    def run(self, paths: list[Path], notebooks: Path) -> None:
         """Run all chapters, several at a time.
 
+        :param notebooks: The folder of the chapters.
         :raises PagePythonError: the Python of a page can't be put together.
         :raises ChapterError: a chapter fails, or its page's node says something else than is stored.
         """
@@ -43,7 +44,7 @@ class Live:
         pyodide = self.work / 'pyodide'
         print('Gathering the Python of the pages', flush=True)
         page_python.gather(pyodide)
-        packed = python_files.packages(pyodide, paths[0].parent)
+        packed = python_files.packages(pyodide, notebooks)
         (self.work / 'packages').write_bytes(packed)
         surroundings = packed + b''.join((_HERE / name).read_bytes() for name in _RUNS)
         # Most of a run is waiting for what moves.

@@ -13,7 +13,7 @@ from param_tutorial.notebook.stored import WIDGET
 from param_tutorial.site.live.running import EXPLAINED, LiveCell, LiveChapter
 from param_tutorial.site.live.stills import still
 from param_tutorial.site.pages import drawing
-from param_tutorial.site.pages.links import LAB, NOTEBOOKS, Links
+from param_tutorial.site.pages.links import DEEPER, LAB, NOTEBOOKS, Links
 
 # The folder and the archive of the course that the site offers.
 COURSE = 'param-course'
@@ -100,12 +100,13 @@ def _html_cell(name: str, content: str) -> nbformat.NotebookNode:
 
 
 def _download_note(path: Path, has_lab: bool) -> str:
-    in_lab = (f' As a notebook: <a href="{LAB}/lab/index.html?path={path.name}">in JupyterLab, in this browser</a>.'
+    name = f'{DEEPER}/{path.name}' if path.parent.name == DEEPER else path.name
+    in_lab = (f' As a notebook: <a href="{LAB}/lab/index.html?path={name}">in JupyterLab, in this browser</a>.'
               if has_lab else '')
     return (f'<p class="lesson-download">A node runs in this page: rclpy’s own code, without a network. Change any '
             f'value, and edit and run any cell; what you do stays in this browser.{in_lab}<br>With all of ROS 2: '
             f'<a href="{COURSE}.zip" download>download the course</a>, unpack it on a Linux machine with Python, and '
-            f'type <code>make lab</code> there. This lesson is its <a href="{NOTEBOOKS}/{path.name}" download>notebook'
+            f'type <code>make lab</code> there. This lesson is its <a href="{NOTEBOOKS}/{name}" download>notebook'
             f'</a>.</p>')
 
 

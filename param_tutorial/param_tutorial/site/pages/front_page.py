@@ -11,7 +11,7 @@ from param_tutorial.site.live.running import LiveChapter
 from param_tutorial.site.live.stills import still
 from param_tutorial.site.pages import drawing
 from param_tutorial.site.pages.chapter import live_cells
-from param_tutorial.site.pages.links import LAB, Links
+from param_tutorial.site.pages.links import DEEPER, LAB, Links
 
 _ROW = re.compile(r'\| *([\d.]+) *\| *\[([^]]+)\]\((\w+)\.ipynb\) *\| *([^|]+?) *\| *(\d+(?: \+ \d+)?) *\|'
                   r'(?: *([^|\n]+?) *\|)?')
@@ -33,7 +33,7 @@ Each lesson asks one question and lets a real ROS 2 Jazzy node answer it. Everyt
 
 {chapters}
 
-## How to read them
+{deeper}## How to read them
 
 **Here, without installing anything.** A node runs in each page: rclpy, ROS's own code for Python, on Python in the
 browser, without a network. Change any value, and edit and run any cell; exercises are checked. What you do is kept in
@@ -50,6 +50,15 @@ terminal and the real ROS 2 with it. `make lab` starts it; you don't need to ins
 :hidden:
 
 {names}
+```
+{more_names}'''
+
+_MORE = '''
+```{{toctree}}
+:caption: Deeper
+:hidden:
+
+{}
 ```
 '''
 
@@ -70,13 +79,16 @@ def front_page_source(index: Path, chapters: Mapping[Path, LiveChapter], facts: 
     :param facts: From which state of the course the lessons ran, and on what; see ``archive.provenance``.
     :param has_lab: True if JupyterLab for the browser is a part of the site.
     """
-    names = [path.stem for path in chapters]
+    names = [path.stem for path in chapters if path.parent.name != DEEPER]
+    deeper = [path.stem for path in chapters if path.parent.name == DEEPER]
     # There, all but the first five chapters is folded.
     text = re.sub(r'</?details>\n|<summary>.*</summary>\n', '', index.read_text(encoding='utf-8') + '\n')
-    links = Links(index, nbformat.v4.new_notebook(), {*names, 'claims'})
+    links = Links(index, nbformat.v4.new_notebook(), {*names, *deeper, 'claims'})
     return _TEXT.format(try_it=_robot_to_try(chapters), ways=_ways(links.in_markdown(text)),
                         chapters=_groups(text, names), provenance=_provenance_text(facts),
-                        in_lab=_IN_LAB if has_lab else '', names='\n'.join(names))
+                        deeper=_deeper(links.in_markdown(text)) if deeper else '',
+                        in_lab=_IN_LAB if has_lab else '', names='\n'.join(names),
+                        more_names=_MORE.format('\n'.join(deeper)) if deeper else '')
 
 
 def _robot_to_try(chapters: Mapping[Path, LiveChapter]) -> str:
@@ -109,6 +121,11 @@ def _ways(text: str) -> str:
     """Return the ways through the course, for different readers."""
     ways = _section(text, 'Where to start')
     return f'## Where to start\n\n````{{container}} front-ways\n{ways}\n````' if ways else ''
+
+
+def _deeper(text: str) -> str:
+    """Return the notebooks beside the chapters, as the notebooks' start page lists them."""
+    return f'## Deeper\n\n{_section(text, "Deeper")}\n\n'
 
 
 def _groups(text: str, names: list[str]) -> str:

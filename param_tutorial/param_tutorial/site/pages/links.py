@@ -11,6 +11,9 @@ from param_tutorial.site.pages.writing import BuildError
 
 # Where the site keeps the notebooks for readers who want to run them.
 NOTEBOOKS = 'notebooks'
+# The folder, below the chapters, of the notebooks that go deeper; their pages stand beside those of the chapters.
+DEEPER = 'deeper'
+_SOLVED = 'solutions'
 # The folder of JupyterLab for the browser.
 LAB = 'lite'
 _MARKDOWN = re.compile(r'(?<!!)\[([^\]]*)\]\(([\w/.-]+\.(?:ipynb|md))(#[^)]*)?\)')
@@ -72,13 +75,13 @@ class Links:
         words, target, place = found[1], found[2], found[3] or ''
         if not (self._path.parent / target).exists():
             raise BuildError(f'{self._path.name} links to {target}, which is not there.')
-        if Path(target).stem in self._pages and '/' not in target:
-            return f'[{words}]({target}{place})'
+        if Path(target).stem in self._pages and Path(target).parent.name != _SOLVED:
+            return f'[{words}]({Path(target).name}{place})'
         return self._html_link(target, html.escape(words), place)
 
     def _html_link(self, target: str, words: str, place: str = '') -> str:
         """Return a link to a notebook, as HTML; the words alone if that is nowhere."""
-        name, is_solution = Path(target).stem, '/' in target
+        name, is_solution = Path(target).stem, Path(target).parent.name == _SOLVED
         if name not in self._pages or (is_solution and self._is_alone):
             return words
         if is_solution:
