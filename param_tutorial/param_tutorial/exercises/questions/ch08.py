@@ -36,12 +36,12 @@ PREDICTIONS = (
         wrong('2.5', 'The parameters change together, and the two attributes one after the other. `drive` ran in '
               'between.')),
         otherwise='It is 0.5 m: `act` had written the speed and not yet the distance.'),
-    Prediction('8-3', '`Early` is asked for 2.0 m/s. Its newer callback replaces `limits`, and then the judge rejects '
-               'the request. What is `limits.max_speed_mps`?', (
-        right('2.0', 'The newer callback was asked first, and nothing takes back what it did.'),
-        wrong('0.5', 'The parameter is still 0.5. The object was replaced before the judge was asked, and nobody puts '
-              'the old one back.')),
-        otherwise='It is 2.0: the newer callback was asked first, and nothing takes back what it did.'),
+    Prediction('8-3', 'One atomic request asks for 2.0 m/s and 0.6 m. `Early` takes the speed, and then rejects the '
+               'distance. What is `limits.max_speed_mps` afterwards?', (
+        right('2.0', '`Early` had already put the speed to use, and nothing takes back what it did.'),
+        wrong('0.5', 'The parameter is still 0.5. The object was replaced before the distance was judged, and nobody '
+              'puts the old one back.')),
+        otherwise='It is 2.0: `Early` put the speed to use before it judged the distance.'),
     Prediction('8-4', 'Someone raises `braking_mps2` to 3.0, and then `max_speed_mps` to 1.7. The brakes of the base '
                'can do 1.0. What happens?', (
         wrong('The driver rejects 1.7 m/s', 'With 3.0 m/s² on paper, 0.48 m are enough, so the judge accepts it. The '
