@@ -12,8 +12,8 @@ from setuptools import find_packages, setup
 PACKAGE = 'param_tutorial'
 # Where both pyproject.toml find it, too.
 VERSION = re.search("^__version__ = '(.+)'$", Path('param_tools/__init__.py').read_text(), re.MULTILINE)[1]
-NODES = ('simple_param_node', 'param_setter_node', 'param_event_monitor', 'param_query_node', 'clawbot_node',
-         'pallet_lift_node', 'pid_controller_node', 'cart_node', 'base_node', 'driver_node')
+NODES = ('simple_param_node', 'param_setter_node', 'param_event_monitor', 'param_query_node',
+         'pid_controller_node', 'base_node', 'driver_node')
 
 setup(
     name=PACKAGE,

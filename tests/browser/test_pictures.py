@@ -2,7 +2,7 @@
 
 import pytest
 
-from param_tutorial.views.drawing import driving, svg
+from param_tutorial.views.drawing import svg
 from tests.views.examples import DIAGRAMS, EXAMPLES
 
 # For each drawing: how large its smallest letters are in px, and what is cut off.
@@ -23,8 +23,8 @@ LOOK = '''() => [...document.querySelectorAll('svg:has(text)')].map(drawing => {
 @pytest.mark.parametrize('width', [320, 440, 728, 1280])
 def test_no_letter_is_smaller_than_11_px_or_cut_off(browser, width):
     page = browser.new_page(viewport={'width': width, 'height': 900}, reduced_motion='reduce')
-    pictures = [EXAMPLES[name] for name in (*DIAGRAMS, 'cart_drives', 'cart')]
-    page.set_content(f'{svg.STYLE}{driving.STYLE}<div>{"</div><div>".join(pictures)}</div>')
+    pictures = [EXAMPLES[name] for name in DIAGRAMS]
+    page.set_content(f'{svg.STYLE}<div>{"</div><div>".join(pictures)}</div>')
     looks = page.evaluate(LOOK)
     assert len(looks) > 10
     assert [look for look in looks if look[0] < 10.99 or look[1]] == []

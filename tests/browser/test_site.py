@@ -77,12 +77,14 @@ heater = ros.add(Heater)''',
 ROBOT = (
     '# 2 · A robot\n\n**Does it move?**',
     'import rclpy\n\nimport param_tutorial\nfrom param_tutorial import ParameterPanel\n'
-    'from param_tutorial.views import CartView\nfrom param_tutorial.nodes.cart_node import CartNode\n\n'
-    'ros = param_tutorial.start()\ncart = ros.add(CartNode)\nview = CartView(cart)\nview',
+    'from param_tutorial.views import TrackView\nfrom param_tutorial.nodes.base_node import BaseNode\n'
+    'from param_tutorial.nodes.driver_node import DriverNode\n\n'
+    'ros = param_tutorial.start()\nbase = ros.add(BaseNode, ros_args=["-p", "wall_m:=4.0"])\n'
+    'driver = ros.add(DriverNode)\nview = TrackView(base)\nview',
     'Its controls:',
-    "ParameterPanel(cart, names=['max_speed_mps', 'max_acceleration_mps2'])",
+    "ParameterPanel(driver, names=['max_speed_mps', 'stop_distance_m'])",
     'Another speed:',
-    "cart.set_parameters([rclpy.Parameter('max_speed_mps', value=0.7)])\nview",
+    "driver.set_parameters([rclpy.Parameter('max_speed_mps', value=0.7)])\nview",
     'A picture that is drawn anew:',
     "import ipywidgets\n\nscene = ipywidgets.HTML('<div class=\"motion-scene\" style=\"overflow-x: auto\">'\n"
     "                        '<svg viewBox=\"0 0 720 60\" style=\"min-width: 690px\">'\n"
@@ -452,17 +454,17 @@ def test_a_page_lives_where_the_browser_keeps_nothing(page):
 
 
 @robot
-def test_the_cart_drives_and_a_change_on_the_way_takes_effect_on_the_way(page):
+def test_the_robot_drives_and_a_change_on_the_way_takes_effect_on_the_way(page):
     word, says = page.locator('.robot-word').first, page.locator('.robot-says').first
-    page.get_by_role('button', name='Drive').first.click()
-    expect(word).to_have_text('SPEEDING UP', timeout=60_000)
-    for name in ('max_acceleration_mps2', 'max_speed_mps'):
-        type_into(page, name, '2.0')
-    expect(page.locator('.robot-head').first).to_contain_text('2 m/s, 2 m/s²')
-    expect(says).to_contain_text('has reached the end of the aisle', timeout=60_000)
+    page.get_by_role('button', name='Back to the start').first.click()
+    expect(word).to_have_text('DRIVING', timeout=60_000)
+    type_into(page, 'stop_distance_m', '1.5')
+    type_into(page, 'max_speed_mps', '1.0')
+    expect(page.locator('.track-speed').first).to_have_text('1.00 m/s', timeout=60_000)
+    expect(says).to_contain_text('The robot stands', timeout=60_000)
     expect(word).to_have_text('STOPPED')
     # A touch runs no step of the lesson below it.
-    expect(box(page, 'max_speed_mps')).to_have_value('2.0')
+    expect(box(page, 'max_speed_mps')).to_have_value('1.0')
     run(cell_with(page, 'value=0.7'))
     expect(box(page, 'max_speed_mps')).to_have_value('0.7')
 
@@ -594,8 +596,8 @@ def test_the_same_site_in_firefox(made, tmp_path):
 
         show('2_robot.html')
         page.click('.robot-drive')
-        page.wait_for("document.getAnimations().some(each => each.animationName?.startsWith('robot-'))")
-        page.wait_for("document.querySelector('.robot-says').textContent.includes('has reached the end of the aisle')")
+        page.wait_for("document.querySelector('.robot-word').textContent === 'DRIVING'")
+        page.wait_for("document.querySelector('.robot-says').textContent.includes('The robot stands')")
         show('1_limits.html')
         page.click('.lesson-prediction input[type=radio]')
         page.click('.lesson-prediction .param-predict-commit')

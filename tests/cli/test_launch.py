@@ -167,7 +167,7 @@ def test_a_parameter_file_that_is_missing_is_a_warning_only(context):
 
 @pytest.mark.parametrize(('options', 'why'), [
     ({'name': 'bad name'}, "Invalid node name: .*: 'bad name'"), ({'namespace': '//lab'}, 'Invalid namespace'),
-    ({'executable': 'nope'}, "executable 'nope' not found in package 'param_tutorial', which has .*cart_node, "),
+    ({'executable': 'nope'}, "executable 'nope' not found in package 'param_tutorial', which has .*base_node, "),
     ({'package': 'nope'}, r"package 'nope' not found.* Correct its name, or build it and source"),
     ({'parameters': [5]}, 'has 5 where a string or a substitution belongs'),
     ({'parameters': {'x': 1}}, "expected 'parameters' to be a list, but got a value of type 'dict'"),

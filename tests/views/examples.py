@@ -1,9 +1,7 @@
 """An example of each drawing: states like those of the chapters, and what is hard to draw."""
 
-import math
 
-from param_tutorial.views.cart import cart_on_trip
-from param_tutorial.views.drawing import driving, track
+from param_tutorial.views.drawing import track
 from param_tutorial.views.drawing.calls import Call, Line, draw_calls
 from param_tutorial.views.drawing.ladder import draw_ladder
 from param_tutorial.views.drawing.number_line import Attempt, Scale, draw_number_line
@@ -69,6 +67,4 @@ EXAMPLES = {
                      x='time & more in s', y=EVIL, marks={1: 'changed'})._repr_html_(),
     'plot_band': LinePlot({'reference': [(0, 10.0), (3, 10.0)], 'conditional_integration': [(0, 0.0), (1, 10.0)]},
                           x='s', y='rad/s', before=[(0, 0.0), (1, 5.0)], band=Band(0.4, 9.7, 10.3))._repr_html_(),
-    'cart_drives': driving.replay(cart_on_trip('/cart', 1.0, 0.5)).removeprefix(driving.STYLE),
-    'cart': driving.still(cart_on_trip('/cart', 1.0, 0.5).at(math.inf)),
     'track': track.draw_track(track.Moment(f'/{EVIL}', 4.0, 2.0, 0.5, 1.0))}

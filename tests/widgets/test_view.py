@@ -12,7 +12,7 @@ import param_tutorial
 from param_tools.panel.panel import ParameterPanel
 from param_tools.ros.waiting import wait_until
 from param_tutorial.nodes.pid_controller_node import PidControllerNode
-from param_tutorial.views import CartView, EventView, StepResponseView, TrackView
+from param_tutorial.views import EventView, StepResponseView, TrackView
 from tests.support.widgets import texts
 
 
@@ -28,7 +28,7 @@ def test_a_panel_without_an_executor_says_so_and_comes_alive_with_one(view):
     param_tutorial.start()
 
 
-@pytest.mark.parametrize('view', [ParameterPanel, EventView, TrackView, CartView, StepResponseView])
+@pytest.mark.parametrize('view', [ParameterPanel, EventView, TrackView, StepResponseView])
 def test_a_view_of_nonsense_says_so_and_nothing_else(ros, view, monkeypatch):
     others = []
     monkeypatch.setattr(sys, 'unraisablehook', lambda each: others.append(each.exc_value))

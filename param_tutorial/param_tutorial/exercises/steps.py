@@ -43,7 +43,7 @@ FAR = '-p', 'stop_distance_m:=5.0'
 # How long a command takes from the distance that the base has measured, as on the stage.
 DELAY_TICKS = 1
 PATIENCE_SEC = 300.0
-STYLE = style('param_tutorial/views/drawing/track.css') + style('param_tutorial/views/track.css')
+STYLE = style('param_tutorial/views/drawing/track.css')
 
 
 def file_of(work: FollowedPackage | PackageFiles, name: str) -> Path:

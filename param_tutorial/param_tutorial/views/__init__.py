@@ -7,7 +7,6 @@ from param_tools import lazy
 
 with lazy.Imports(__name__) as _imports:
     from param_tutorial.views.calls import CallsView as CallsView
-    from param_tutorial.views.cart import CartView as CartView
     from param_tutorial.views.drawing.plots import LinePlot as LinePlot
     from param_tutorial.views.drawing.step_response import plot_responses as plot_responses
     from param_tutorial.views.events import EventView as EventView

@@ -16,7 +16,6 @@ from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.services import full_name
 from param_tutorial.nodes.base_node import BaseNode
 from param_tutorial.views.base import name_of
-from param_tutorial.views.drawing import driving
 from param_tutorial.views.drawing.track import Moment, draw_track
 
 
@@ -24,9 +23,11 @@ class _Front(Front):
     """The track in the browser."""
 
     _esm = bundle('param_tutorial/views/track.js')
-    _css = (sheet('param_tutorial/views/drawing/track.css') + sheet('param_tutorial/views/driving.css')
-            + sheet('param_tutorial/views/track.css'))
-    markup = traitlets.Unicode(driving.view('Back to the start', 'Put the robot back, at rest')).tag(sync=True)
+    _css = sheet('param_tutorial/views/drawing/track.css')
+    markup = traitlets.Unicode(
+        '<div class="robot-picture"></div><div class="robot-foot"><button type="button" class="robot-drive" '
+        'title="Put the robot back, at rest" disabled>Back to the start</button>'
+        '<div class="robot-says" role="status"></div></div>').tag(sync=True)
     picture = traitlets.Unicode().tag(sync=True)
     moment = traitlets.Dict().tag(sync=True)
     """What the picture shows now; empty if there is no robot."""

@@ -15,7 +15,7 @@ from param_tutorial.site.bundling import bundle
 
 THEME = Path(__file__).parents[1] / 'theme'
 # The styles of the notebook's own views.
-SHEETS = ('param_tutorial/views/drawing/track.css', 'param_tools/panel/panel.css', 'param_tutorial/views/driving.css',
+SHEETS = ('param_tutorial/views/drawing/track.css', 'param_tools/panel/panel.css',
           'param_tutorial/views/side_by_side.css')
 _COLOR = re.compile(r'\x1b\[[0-9;]*m')
 

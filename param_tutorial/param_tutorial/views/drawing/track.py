@@ -1,16 +1,17 @@
 """The robot that a reader's own node drives, on its track: what it looks like at one moment, and what that says.
 
 Sizes are pixels, so words and the robot keep theirs on every page; the way to the wall is as long as there is room. The
-picture is drawn once for a track. ``views/track.css`` moves its parts by variables, and for each moment
+picture is drawn once for a track. ``track.css`` moves its parts by variables, and for each moment
 ``views/track.js`` sets these and the words.
 """
 
 import html
 from dataclasses import dataclass
 
-from param_tutorial.views.drawing import driving, svg
-from param_tutorial.views.drawing.driving import GROUND
+from param_tutorial.views.drawing import svg
 
+# Where the ground is in the picture of a crash.
+GROUND = 226
 # Slower looks like standing.
 _STANDING_MPS = 0.005
 # The arrow grows up to this speed; the number says more.
@@ -149,12 +150,27 @@ def _machine() -> str:
         f'<circle class="robot-joint" cx="-43" cy="{_DECK - 24:g}" r="3"/>'
         f'<circle class="robot-joint" cx="-20" cy="{_DECK - 33:g}" r="3"/>'
         f'<rect class="robot-paint robot-paint-0" x="-59" y="{_DECK:g}" width="55" height="17" rx="3.5"/>'
-        f'{driving.pattern(0, -55, _DECK + 2, 42, 11)}'
+        f'<path class="robot-pattern" d="M-55 {_DECK + 7.5:g}h42"/>'
         f'<rect class="robot-bumper" x="-4.4" y="{-_RADIUS - 7:g}" width="4" height="12" rx="1.6"/>'
         f'<path class="robot-arm" d="M{_SENSOR:g} {_DECK:g}v-4"/>'
         f'<rect class="robot-part" x="{_SENSOR - 4:g}" y="{_EYE - 4:g}" width="8" height="8" rx="2"/>'
         f'<circle class="robot-eye" cx="{_SENSOR + 1.5:g}" cy="{_EYE:g}" r="2.2"/>'
-        f'{driving.wheel(-46, _RADIUS, turn)}{driving.wheel(-17, _RADIUS, turn)}')
+        f'{_wheel(-46, turn)}{_wheel(-17, turn)}')
+
+
+def _wheel(x: float, css: str) -> str:
+    """Return a wheel that stands on the ground, with spokes, and one mark that shows how it turns.
+
+    :param css: Turns an element around its center.
+    """
+    rim = _RADIUS * .62
+    # The sines of thirds of a half circle to three digits, so that no math library decides on the last one.
+    spokes = ''.join(f'M{x - a * rim:.2f} {-_RADIUS - b * rim:.2f}L{x + a * rim:.2f} {-_RADIUS + b * rim:.2f}'
+                     for a, b in ((1, 0), (.5, .866), (-.5, .866)))
+    return (f'<g class="robot-wheel" style="{css}"><circle class="robot-tire" cx="{x:g}" cy="{-_RADIUS:g}" '
+            f'r="{_RADIUS:g}"/><circle class="robot-rim" cx="{x:g}" cy="{-_RADIUS:g}" r="{rim:g}"/>'
+            f'<path class="robot-spokes" d="{spokes}"/>'
+            f'<circle class="robot-mark" cx="{x:g}" cy="{-_RADIUS * 1.8:g}" r="{_RADIUS * .13:.2f}"/></g>')
 
 
 def _crash(speed_mps: float) -> str:
