@@ -5,8 +5,7 @@ import DOMPurify from 'dompurify';
 import {all} from '../../../param_tools/panel/dom.js';
 
 const TEXTS = '.output .highlight pre, .param-ros1 pre';
-const PICTURES =
-  '.motion-scene, .step-scene, .cell_output > .text_html:has(> svg), .param-check:has(> svg)';
+const PICTURES = '.motion-scene, .step-scene, .cell_output > .text_html:has(> svg), .param-check:has(> svg)';
 
 // The theme's script does the same for texts.
 const sized = new ResizeObserver(entries => {
