@@ -64,7 +64,7 @@ def names_dependencies(trial: Trial) -> None:
 # -- 11b: two robots --------------------------------------------------------------------------------------------------
 
 fleet = Exercise('11b', 'Two robots', CHAPTER, PACKAGE, hints=(
-    '`IncludeLaunchDescription(PythonLaunchDescriptionSource(path), launch_arguments={...}.items())` carries out '
+    '`IncludeLaunchDescription(PythonLaunchDescriptionSource(path), launch_arguments={...}.items())` includes '
     'another launch file. Two of them, with two namespaces, make two robots.',
     "The path is that of your first launch file: `PathJoinSubstitution([FindPackageShare('my_robot'), 'launch', "
     "'my_robot_launch.py'])`.",
