@@ -47,7 +47,7 @@ PREDICTIONS = (
         wrong('It rejects nan as invalid', 'The rule asks whether it is below zero, and `nan` is not below anything.'),
         right('It accepts nan as a gain', '`nan` is neither less nor greater than anything, so it is not below zero.'),
         wrong('It never gets to see nan', '`nan` is a double like any other, so the type is right.'))),
-    Prediction('10.3-5', 'One atomic request asks for `p = 5.0` and a strategy that there is not. It is rejected. With '
+    Prediction('10.3-5', 'One atomic request asks for `p = 5.0` and an unknown strategy. It is rejected. With '
                'which `p` does the node work afterwards?', (
         right('5.0', 'The newer callback has acted before the older one rejected. What is stored, and what is in use, '
               'differ.'),
