@@ -225,7 +225,8 @@ def test_a_parameter_value_turns_the_string_of_a_substitution_into_its_type(cont
 
 
 @pytest.mark.parametrize(('text', 'why'), [
-    ('x: $(arg speed)', r'no substitution \$\(arg speed\): the genuine `ros2 launch` has'),
+    ('x: $(anon speed)', r'no substitution \$\(anon speed\): the genuine `ros2 launch` has'),
+    ('x: $(arg speed)', r'no substitution \$\(arg speed\), which is of ROS 1: ROS 2 has \$\(var'),
     ('x: $(var)', r'\$\(var\) has too many arguments or too few'),
     ("x: $(eval '1 + nothing')", r"the expression '1 \+ nothing' fails: NameError"),
     ('x: $(var speed', r'a substitution cannot be read: \$\(var speed; it has to be \$\(name argument …\)'),

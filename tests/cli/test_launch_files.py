@@ -233,6 +233,117 @@ def test_check_launch_names_the_line_that_sets_a_value(tmp_path, monkeypatch, fi
     assert f'{file}:{places["/left rate"] + 1}\n' in check(file)[0]
 
 
+IMPORTS = '''
+from launch import LaunchDescription
+from launch_ros.actions import LoadComposableNodes, Node, SetParameter, SetUseSimTime
+from launch_ros.descriptions import ComposableNode
+
+
+def node(*parameters, **options):
+    return Node(package='p', executable='e', name='n', namespace='', parameters=list(parameters), **options)
+
+
+def component(*parameters, **options):
+    return LoadComposableNodes(target_container='box', composable_node_descriptions=[
+        ComposableNode(package='p', plugin='p::Camera', parameters=list(parameters), **options)])
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        {}])
+'''
+
+
+def findings(tmp_path, actions, content=''):
+    """Return what check says of a launch file in Python that gives nodes the file robot.yaml."""
+    (tmp_path / 'robot.yaml').write_text(content)
+    (tmp_path / 'x_launch.py').write_text(IMPORTS.replace('{}', actions.replace('FILE', f"'{tmp_path}/robot.yaml'")))
+    stdout, stderr, status = check(tmp_path / 'x_launch.py')
+    assert (stderr, status) in (('', 0), ('', 1)), stderr
+    return stdout.replace(f'{tmp_path}/', '').splitlines()
+
+
+@pytest.mark.parametrize(('actions', 'found'), [
+    ("node({'vendor': '0483'})", "the text '0483' for vendor without its quotes, so that rcl reads 483.0: write it"),
+    ("node({'serial': '123E5'})", "the text '123E5' for serial without its quotes, so that rcl reads 12300000.0:"),
+    ("node({'axis': ['y', 'n']})", "the text 'y' for axis without its quotes, so that rcl reads [True, False]:"),
+    ("SetParameter('id', '12'), node()", "the text '12' for id without its quotes, so that rcl reads 12:"),
+    ("SetParameter('k', [1, 2]), node()", "so that /n gets the text '(1, 2)' for k: give the list in parameters="),
+    ("node({'/**': {'ros__parameters': {'rate': 1}}})", 'so that /n gets a parameter /**.ros__parameters.rate: give'),
+    ("node({'n': {'ros__parameters': {'rate': 1}}})", 'so that /n gets a parameter n.ros__parameters.rate: give'),
+    ("component({'ros__parameters': {'a': 1}}, name='n')", 'so that /n gets a parameter ros__parameters.a: give'),
+    ('SetUseSimTime(True), node()', "SetUseSimTime sets use_sim_time of launch's own node, and no node"),
+])
+def test_what_launch_hands_on_otherwise_than_it_is_written_is_found(tmp_path, actions, found):
+    said, = [line for line in findings(tmp_path, actions) if 'likely mistake' in line]
+    assert said.startswith('x_launch.py:')
+    assert found in said
+
+
+@pytest.mark.parametrize('actions', [
+    "node({'a': '12', 'b': 'x1', 'c': '1.5', 'd': ['1', '2']})", "component({'a': '0483'}, name='n')",
+    "SetParameter('id', 12), node()", "SetParameter('id', '12'), component()",
+    "node(shell=True, sigterm_timeout='9', sigkill_timeout='9', respawn_max_retries=3, log_cmd=True)"])
+def test_what_launch_hands_on_as_it_is_written_is_not_found(tmp_path, actions):
+    assert 'likely mistake' not in str(findings(tmp_path, actions))
+
+
+@pytest.mark.parametrize(('content', 'given'), [
+    ('n: {ros__parameters: {a: 1e-3, b: 12:30:00, c: 1_000}}', {'a': "'1e-3'", 'b': '45000', 'c': '1000'}),
+    ('rate: &r 30\ndeep:\n  er: *r', {'rate': '30', 'deep.er': '30'}),  # no header
+    ('n: {ros__parameters: {a: 1}}\n/**: {ros__parameters: {a: 2, b: [0, 0.5]}}', {'a': '1', 'b': '[0.0, 0.5]'}),
+    ('other: {ros__parameters: {a: 1}}', {}),
+])
+def test_a_component_gets_what_launch_ros_reads_for_it(tmp_path, content, given):
+    lines = findings(tmp_path, "component(FILE, name='n')", content)
+    assert lines[0] == '/n  (p/p::Camera)'
+    found = {name: value.rpartition('  ')[0].strip() for name, value in (
+        line.strip().split(': ', 1) for line in lines[1:] if line != '  no parameters')}
+    assert found == given
+
+
+@pytest.mark.parametrize(('actions', 'content', 'found'), [
+    ("component(FILE, name='n')", '/**:\n  n: {ros__parameters: {a: 1}}', '2:1: never matched: launch ignores'),
+    ("component(FILE, name='n')", '/*: {ros__parameters: {a: 1}}', '1:1: never matched: launch ignores'),
+    ('component(FILE)', 'n: {ros__parameters: {a: 1}}', ' never matched: launch gives a component without name='),
+    ("component(FILE, name='n')", 'a: 1\nb: null', "2:1: unreadable: launch reads a component's file with Py"),
+    ("component(FILE, name='n')", 'a: 1\nb: [', "2:1: unreadable: launch reads a component's file with Py"),
+    ("component(FILE, name='n')", 'a: 1\nb: $(env HOME)', '2:1: not filled in: /n gets this text as it stands'),
+    ('node(FILE)', 'n: {ros__parameters: {a: "${HOME}/x"}}', 'Neither launch nor rcl replaces ${HOME}: write $(env'),
+    ('node(FILE)', 'n: {ros__parameters: {a: $(find x)}}', 'Launch has no $(find …), which is of ROS 1: write'),
+])
+def test_what_a_file_of_a_launch_file_says_in_vain_is_found(tmp_path, actions, content, found):
+    said, = [line for line in findings(tmp_path, actions, content) if line.startswith('robot.yaml:')]
+    assert found in said
+
+
+@pytest.mark.parametrize(('text', 'found'), [
+    ('<launch>\n <node pkg="p" name="b"/>\n</launch>', "2: Attribute 'exec' not found"),
+    ('<launch>\n <node pkg="p" exec="e">\n  <param name="a"/></node></launch>', '3: either a value attribute or'),
+    ('<launch>\n <node', '2: Caught exception when trying to load'),
+    ('launch:\n- node:\n    exec: [1', '3: Caught exception when trying to load'),
+    ('launch:\n- let: {name: a, value: b}\n- nod: {exec: e}', '3: the course'),
+    ('<launch>\n <param name="rate" value="10"/></launch>', "2: launch rejects 'param' in `launch`, "),
+    ('<launch>\n <node pkg="p" type="e"/></launch>', "2: launch rejects 'type' in `node`, "),
+    ('<launch>\n <group ns="p"/></launch>', "2: launch rejects 'ns' in `group`, "),
+    ('<launch>\n <let name="a" value="$(arg b)"/></launch>', '2: launch has no substitution $(arg b), which'),
+    ('<launch>\n <let name="a" value="$(var b)"/></launch>', "2: launch configuration 'b' does not exist"),
+    ('<launch><node exec="e">\n <param name="a" value="[1, 2.5]"/></node></launch>', '2: launch rejects the list'),
+    ('launch:\n- node:\n    exec: e\n    param: [{name: a, value: [true, 2.5]}]', '4: launch rejects the list'),
+])
+def test_an_error_of_an_included_launch_file_names_its_file_and_line(tmp_path, write, text, found):
+    path = write(text, 'inner.launch.xml' if text.startswith('<') else 'inner.launch.yaml')
+    outer = write(f'<launch><include file="{path}"/></launch>', 'outer.launch.xml')
+    stdout, stderr, status = check(outer)
+    assert (stdout, status) == ('', 2)
+    assert stderr.startswith(f'{path}:{found}')
+
+
+def test_an_option_that_has_another_name_since_galactic_is_named(tmp_path, write):
+    path = write(IMPORTS.replace('{}', "node(node_executable='e')"), 'x_launch.py')
+    assert 'ROS 2 has called it executable= since Galactic, and launch rejects the old name' in check(path)[1]
+
+
 def test_a_substitution_that_nothing_fills_in_is_found(lab):
     path = lab / 'lab_launch.py'
     path.write_text(LAUNCH.replace("'robot.yaml', allow_substs=True", "'robot.yaml'"))

@@ -60,11 +60,16 @@ def check(session: Session, args: argparse.Namespace) -> int:
 
 def _check_launch(session: Session, args: argparse.Namespace, against: Descriptions) -> Findings:
     """Print what the nodes of a launch file would get, and return what is wrong with it."""
+    from param_tools.cli.launch.context import LaunchFailed
     from param_tools.cli.launch.rehearsal import RehearsedLaunch
     from param_tools.cli.launch.verb import path_and_arguments
 
     with tempfile.TemporaryDirectory(prefix='param_tools_') as folder:
-        launch = RehearsedLaunch(*path_and_arguments(args.files), Path(folder))
+        path, arguments = path_and_arguments(args.files)
+        try:
+            launch = RehearsedLaunch(path, arguments, Path(folder))
+        except LaunchFailed as error:
+            raise CommandFailed(f'{error.place()}{error}') from None
         if args.format == 'text':
             session.print('\n'.join(launch.lines()) or 'The launch file starts no node.')
         return launch.check(against)

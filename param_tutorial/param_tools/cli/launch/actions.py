@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from param_tools.cli.launch.conditions import Condition
-from param_tools.cli.launch.context import Context, LaunchFailed, Origin, written_here
+from param_tools.cli.launch.context import Context, LaunchFailed, Origin, blaming, written_here
 from param_tools.cli.launch.importing import read, running
 from param_tools.cli.launch.processes import Program
 from param_tools.cli.launch.substitutions import expect_string, is_list, perform, typed_bool
@@ -46,8 +46,9 @@ class Action:
 
     def visit(self, context: Context) -> list[Program]:
         """Carry out the action if its condition is true, and return the programs to start."""
-        if self.condition is None or self.condition.evaluate(context):
-            return self.execute(context) or []
+        with blaming(self.origin):
+            if self.condition is None or self.condition.evaluate(context):
+                return self.execute(context) or []
         return []
 
     def execute(self, context: Context) -> list[Program] | None:
@@ -308,6 +309,11 @@ class Process(Action):
     emulate_tty: Any = False
     respawn: Any = False
     respawn_delay: float | None = None
+    respawn_max_retries: float = -1
+    shell: Any = False
+    sigterm_timeout: Any = None
+    sigkill_timeout: Any = None
+    log_cmd: bool = False
     prefix: Any = None
     cwd: Any = None
     additional_env: Mapping[Any, Any] | None = None
@@ -321,6 +327,9 @@ class Process(Action):
         prefix = context.launch_configurations.get('launch-prefix', '') if self.prefix is None else self.prefix
         if typed_bool(self.respawn, context):
             context.expect_launchable('respawn= of a program')
+        for option in ('sigterm_timeout', 'sigkill_timeout', 'log_cmd'):
+            if getattr(self, option):
+                context.expect_launchable(f'{option}= of a program')
         environment = dict(context.environment)
         for variable, value in (self.additional_env or {}).items():
             environment[perform(variable, context)] = perform(value, context)
@@ -354,7 +363,6 @@ class ExecuteProcess(Process):
 
     cmd: Sequence[Any]
     name: Any = None
-    shell: Any = False
 
     def execute(self, context: Context) -> list[Program]:
         if not is_list(self.cmd) or not self.cmd:

@@ -26,6 +26,10 @@ class Origin(NamedTuple):
     file: Path
     line: int | None
     """None if it is the same as in what launch has made of the file."""
+    lines: Mapping[str, int] = {}
+    """In a file that launch has read itself, the line of each parameter."""
+    is_filled_in: bool = True
+    """False for a file in which launch leaves substitutions as they are."""
 
 
 def written_here() -> Origin | None:
@@ -39,6 +43,25 @@ def written_here() -> Origin | None:
 
 class LaunchFailed(CommandFailed):
     """A launch file asks for something that cannot be done."""
+
+    origin: Origin | None = None
+    """Where it asks, if that is known."""
+
+    def place(self) -> str:
+        """Return the beginning of a line that names the place; empty if it is not known."""
+        if self.origin is None:
+            return ''
+        return f'{self.origin.file}:{self.origin.line}: ' if self.origin.line else f'{self.origin.file}: '
+
+
+@contextlib.contextmanager
+def blaming(origin: Origin | None) -> Iterator[None]:
+    """Add the place to an error that has none."""
+    try:
+        yield
+    except LaunchFailed as error:
+        error.origin = error.origin or origin
+        raise
 
 
 def reject(what: str) -> NoReturn:
@@ -73,8 +96,9 @@ class Context:
     environment_before: Mapping[str, str] = field(default_factory=lambda: dict(os.environ))
     """The environment variables before the launch file was carried out."""
     origins: dict[str, Origin] = field(default_factory=dict)
-    """For the path of each parameter file that launch writes, each word after ``-p`` and each warning, where it comes
-    from."""
+    """For the path of each parameter file that launch writes, and each word after ``-p``, where it comes from."""
+    given: dict[str, Any] = field(default_factory=dict)
+    """For each word after ``-p``, the value in the launch file."""
     postponed: list[Sequence[Any]] = field(default_factory=list)
     """In a rehearsal, the actions of timers and event handlers."""
 
@@ -105,6 +129,13 @@ class Context:
         if origin is not None:
             self.origins[file.name] = origin
         return Path(file.name)
+
+    def warn(self, text: str, origin: Origin | None, kind: str = 'unreadable') -> None:
+        """Warn of something that the launch file says there.
+
+        :param kind: As of a finding of ``check``.
+        """
+        self.log('WARNING', 'launch_ros.actions.node', text)
 
     # -- what a rehearsal does otherwise ------------------------------------------------------------------------------
 

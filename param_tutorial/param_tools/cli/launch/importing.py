@@ -4,6 +4,7 @@
 """
 
 import contextlib
+import re
 import sys
 import traceback
 from collections.abc import Callable, Iterator, Mapping
@@ -12,7 +13,7 @@ from types import ModuleType
 from typing import Any
 
 from param_tools.cli.index import provided_packages_installed
-from param_tools.cli.launch.context import PACKAGE, LaunchFailed, reject
+from param_tools.cli.launch.context import PACKAGE, LaunchFailed, Origin, reject
 from param_tools.cli.session import CommandFailed
 
 # The modules, and the names in each, that a launch file may import and use.
@@ -30,6 +31,11 @@ def read(path: Path) -> Any:
     return READERS[path.suffix](path)
 
 
+# What options of nodes were called up to Foxy.
+_RENAMED = {'node_executable': 'executable', 'node_name': 'name', 'node_namespace': 'namespace',
+            'node_plugin': 'plugin'}
+
+
 @contextlib.contextmanager
 def running(what: str) -> Iterator[None]:
     """Let Python code of a launch file import MODULES and find the provided packages; explain its exceptions.
@@ -39,7 +45,9 @@ def running(what: str) -> Iterator[None]:
     with provided_packages_installed(), _importable():
         try:
             yield
-        except CommandFailed:
+        except CommandFailed as error:
+            if isinstance(error, LaunchFailed) and (line := _line(error)):
+                error.origin = error.origin or Origin(Path(line.filename), line.lineno)
             raise
         except Exception as error:
             raise LaunchFailed(_explanation(error, what)) from error
@@ -51,18 +59,23 @@ def _packages() -> dict[str, None]:
 
 def _explanation(error: Exception, what: str) -> str:
     hint = ''
-    # A package of ROS, or an option such as Node(sigterm_timeout='1').
-    if isinstance(error, ModuleNotFoundError) or 'unexpected keyword argument' in str(error):
+    old = re.search("unexpected keyword argument '(node_\\w+)'", str(error))
+    if old and old[1] in _RENAMED:
+        hint = f'. ROS 2 has called it {_RENAMED[old[1]]}= since Galactic, and launch rejects the old name'
+    # A package of ROS, or an option such as Node(cached_output=True).
+    elif isinstance(error, ModuleNotFoundError) or 'unexpected keyword argument' in str(error):
         hint = '. Where that is right, the genuine `ros2 launch` has it (environment/README.md)'
-    return f'Caught exception when trying to load {what}: {type(error).__name__}: {error}{_place(error)}{hint}'
+    line = _line(error)
+    place = f' ({Path(line.filename).name}, line {line.lineno})' if line else ''
+    return f'Caught exception when trying to load {what}: {type(error).__name__}: {error}{place}{hint}'
 
 
-def _place(error: Exception) -> str:
-    """Return the line of the launch file that has raised an exception; empty if the message says it, as of a typo."""
+def _line(error: Exception) -> traceback.FrameSummary | None:
+    """Return the line of the launch file that has raised an exception; None if the message says it, as of a typo."""
     lines = [each for each in traceback.extract_tb(error.__traceback__)
              if not Path(each.filename).is_relative_to(PACKAGE)]
     own = [each for each in lines if each.filename == lines[0].filename]
-    return f' ({Path(own[-1].filename).name}, line {own[-1].lineno})' if own else ''
+    return own[-1] if own else None
 
 
 @contextlib.contextmanager

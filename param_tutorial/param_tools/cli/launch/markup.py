@@ -11,7 +11,7 @@ import yaml
 from param_tools.cli.launch import actions, ros_actions
 from param_tools.cli.launch.actions import Action, LaunchDescription
 from param_tools.cli.launch.conditions import IfCondition, UnlessCondition
-from param_tools.cli.launch.context import LaunchFailed, Origin, reject
+from param_tools.cli.launch.context import LaunchFailed, Origin, blaming, reject
 from param_tools.cli.launch.parameters import ParameterFile, Parameters, ParameterValue
 from param_tools.cli.launch.substitutions import TextSubstitution, as_bool
 from param_tools.cli.launch.text import parse_text, unescape
@@ -20,6 +20,12 @@ _SCALARS = {'int': int, 'float': float, 'bool': bool, 'str': str}
 # What type= of a parameter may be.
 _TYPES: dict[str, Any] = {'yaml': None, **_SCALARS, **{f'list_of_{name}': List[each]  # type: ignore[valid-type]  # noqa: UP006
                                          for name, each in _SCALARS.items()}}
+# What launch files of ROS 1 have, and ROS 2 has not, each with what to write.
+_ROS_1 = {
+    'type': 'exec="..."', 'ns': 'namespace="..." of a <node>, and <push_ros_namespace> in a <group>',
+    'rosparam': '<param from="file.yaml"/> in a <node>', 'param': '<param> in a <node>, and <set_parameter> for all '
+    'later nodes', 'remap': '<remap> in a <node>, and <set_remap> for all later nodes', 'env': '<set_env>',
+    'required': 'on_exit="shutdown"'}
 
 
 class Entity:
@@ -41,7 +47,9 @@ class Entity:
         """Return an attribute that has to be there."""
         found = self.take(name)
         if found is None:
-            raise LaunchFailed(f"Attribute '{name}' not found in Entity '{self.tag}'")
+            with blaming(self.origin):
+                _expect_ros_2(self.tag, self._attributes if name == 'exec' else ())
+                raise LaunchFailed(f"Attribute '{name}' not found in Entity '{self.tag}'")
         return found
 
     def children(self, tag: str | None = None) -> 'list[Entity]':
@@ -52,8 +60,18 @@ class Entity:
 
     def end(self) -> None:
         """Expect that all of it was read."""
-        if left := [*self._attributes, *(each.tag for each in self._children)]:
-            reject(f'attribute or nested tag {", ".join(map(repr, left))} in `{self.tag}`')
+        with blaming(self.origin):
+            left = [*self._attributes, *(each.tag for each in self._children)]
+            _expect_ros_2(self.tag, left)
+            if left:
+                reject(f'attribute or nested tag {", ".join(map(repr, left))} in `{self.tag}`')
+
+
+def _expect_ros_2(tag: str, names: Iterable[str]) -> None:
+    for name in names:
+        if name in _ROS_1:
+            raise LaunchFailed(f'launch rejects {name!r} in `{tag}`, which is syntax of ROS 1: ROS 2 has '
+                               f'{_ROS_1[name]}')
 
 
 def _from_xml(path: Path) -> Entity:
@@ -117,21 +135,27 @@ def load(path: Path) -> LaunchDescription:
         if root.tag != 'launch':
             raise LaunchFailed(f"Expected 'launch' as root tag, and {path.name} has {root.tag!r}")
         return LaunchDescription(_actions(root.children()), deprecated_reason=root.take('deprecated'))
+    except LaunchFailed as error:
+        error.origin = error.origin or Origin(path, None)
+        raise
     # The last one is a quotation mark that nothing closes, in a command line, or a file that is no text.
     except (OSError, expat.ExpatError, yaml.YAMLError, ValueError) as error:
-        kind = path.suffix[1:]
-        raise LaunchFailed(f'Caught exception when trying to load file of format [{kind}]: {error}') from None
+        mark, kind = getattr(error, 'problem_mark', None), path.suffix[1:]
+        with blaming(Origin(path, mark.line + 1 if mark else getattr(error, 'lineno', None))):
+            raise LaunchFailed(f'Caught exception when trying to load file of format [{kind}]: {error}') from None
 
 
 def _actions(entities: Iterable[Entity]) -> list[Action]:
     found = []
     for entity in entities:
-        if entity.tag not in _ACTIONS:
-            reject(f'action `{entity.tag}`')
-        action = _ACTIONS[entity.tag](entity)
-        action.origin = entity.origin
-        _add_condition(entity, action)
-        entity.end()
+        with blaming(entity.origin):
+            if entity.tag not in _ACTIONS:
+                _expect_ros_2('launch', [entity.tag])
+                reject(f'action `{entity.tag}`')
+            action = _ACTIONS[entity.tag](entity)
+            action.origin = entity.origin
+            _add_condition(entity, action)
+            entity.end()
         found.append(action)
     return found
 
@@ -176,8 +200,9 @@ def _given(**options: Any) -> dict[str, Any]:
 def _pairs(entities: Iterable[Entity], first: str, second: str) -> list[tuple[Any, Any]]:
     found = []
     for entity in entities:
-        found.append((tuple(_text(entity, entity.need(first))), _text(entity, entity.need(second))))
-        entity.end()
+        with blaming(entity.origin):
+            found.append((tuple(_text(entity, entity.need(first))), _text(entity, entity.need(second))))
+            entity.end()
     return found
 
 
@@ -210,6 +235,8 @@ def _process(entity: Entity) -> dict[str, Any]:
     return _given(
         on_exit=None if on_exit is None else actions.Shutdown(), prefix=_text(entity, entity.take('launch-prefix')),
         respawn=respawn if isinstance(respawn, bool) else _text(entity, respawn),
+        respawn_max_retries=_number(entity, 'respawn_max_retries'), shell=_flag(entity, 'shell'),
+        sigterm_timeout=_number(entity, 'sigterm_timeout'), sigkill_timeout=_number(entity, 'sigkill_timeout'),
         respawn_delay=_number(entity, 'respawn_delay'), output=_text(entity, entity.take('output')),
         cwd=_text(entity, entity.take('cwd')), emulate_tty=_flag(entity, 'emulate_tty'),
         additional_env=dict(_pairs(entity.children('env'), 'name', 'value')) or None)
@@ -217,7 +244,7 @@ def _process(entity: Entity) -> dict[str, Any]:
 
 def _executable(entity: Entity) -> Action:
     return actions.ExecuteProcess(cmd=_words(entity, entity.need('cmd')) or [], **_process(entity), **_given(
-        name=_text(entity, entity.take('name')), shell=_flag(entity, 'shell')))
+        name=_text(entity, entity.take('name'))))
 
 
 def _node_options(entity: Entity) -> dict[str, Any]:
@@ -232,15 +259,19 @@ def _node_options(entity: Entity) -> dict[str, Any]:
 def _parameters(entity: Entity) -> list[Any]:
     found: list[Any] = []
     for each in entity.children('param'):
-        path = each.take('from')
-        if path is None:
-            found.append(Parameters(_named_value(each), each.origin))
-        else:
-            allows = each.take('allow_substs')
-            found.append(ParameterFile(_text(each, path), allow_substs=(
-                allows if isinstance(allows, bool) else False if allows is None else _text(each, allows))))
-            each.end()
+        with blaming(each.origin):
+            found.append(_parameter(each))
     return found
+
+
+def _parameter(entity: Entity) -> Any:
+    path = entity.take('from')
+    if path is None:
+        return Parameters(_named_value(entity), entity.origin)
+    allows = entity.take('allow_substs')
+    entity.end()
+    return ParameterFile(_text(entity, path), allow_substs=(
+        allows if isinstance(allows, bool) else False if allows is None else _text(entity, allows)))
 
 
 def _named_value(entity: Entity) -> dict[Any, Any]:
@@ -264,11 +295,21 @@ def _named_value(entity: Entity) -> dict[Any, Any]:
 def _value(value: Any, entity: Entity, wanted: Any) -> Any:
     """Return a value, or the substitutions that stand for one."""
     if isinstance(value, list):
+        _expect_one_type(value)
         return [_value(each, entity, *(get_args(wanted) or [None])) for each in value]
     found = _converted(value, wanted) if entity.is_text else value
     if isinstance(found, list):
+        _expect_one_type(found)
         return [_parsed(each) for each in found]
     return _parsed(found)
+
+
+def _expect_one_type(found: list[Any]) -> None:
+    """Expect a list as launch takes it in XML and in YAML: beside texts of one type, where True is an integer, too."""
+    kind = next((type(each) for each in found if not isinstance(each, str)), str)
+    if not all(isinstance(each, (kind, str)) for each in found):
+        remedy = 'write each number with a dot' if {*map(type, found)} <= {int, float} else 'one type for all'
+        raise LaunchFailed(f'launch rejects the list {found!r}, whose elements are of several types: {remedy}')
 
 
 def _converted(text: str, wanted: Any) -> Any:
@@ -301,14 +342,15 @@ def _parsed(value: Any) -> Any:
 def _composable(entity: Entity) -> list[ros_actions.ComposableNode]:
     found = []
     for each in entity.children('composable_node'):
-        node = ros_actions.ComposableNode(**_given(
-            package=_text(each, each.need('pkg')), plugin=_text(each, each.need('plugin')),
-            name=_text(each, each.take('name')), namespace=_text(each, each.take('namespace')),
-            parameters=_parameters(each), remappings=_pairs(each.children('remap'), 'from', 'to')))
-        node.origin = each.origin
-        each.children('extra_arg')
-        _add_condition(each, node)
-        each.end()
+        with blaming(each.origin):
+            node = ros_actions.ComposableNode(**_given(
+                package=_text(each, each.need('pkg')), plugin=_text(each, each.need('plugin')),
+                name=_text(each, each.take('name')), namespace=_text(each, each.take('namespace')),
+                parameters=_parameters(each), remappings=_pairs(each.children('remap'), 'from', 'to')))
+            node.origin = each.origin
+            each.children('extra_arg')
+            _add_condition(each, node)
+            each.end()
         found.append(node)
     return found
 

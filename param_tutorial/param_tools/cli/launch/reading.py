@@ -42,7 +42,7 @@ _MODULES: dict[str, dict[str, Any]] = {
     'launch_ros': {},
     'launch_ros.actions': {**_named(ros_actions, (
         'ComposableNodeContainer LifecycleNode LoadComposableNodes Node PushROSNamespace SetParameter '
-        'SetParametersFromFile SetRemap')), 'PushRosNamespace': ros_actions.PushROSNamespace},
+        'SetParametersFromFile SetRemap SetUseSimTime')), 'PushRosNamespace': ros_actions.PushROSNamespace},
     'launch_ros.descriptions': {**_PARAMETERS, 'ComposableNode': ros_actions.ComposableNode},
     'launch_ros.event_handlers': _events('OnStateTransition'),
     'launch_ros.events': {},

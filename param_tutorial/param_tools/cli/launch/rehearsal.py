@@ -13,19 +13,33 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import yaml
+
 from param_tools import values
 from param_tools.cli.launch.actions import carry_out
-from param_tools.cli.launch.context import Context
+from param_tools.cli.launch.context import Context, Origin
 from param_tools.cli.launch.processes import Program
+from param_tools.cli.launch.text import ROS_1
 from param_tools.cli.launch.verb import include
 from param_tools.files.checking import FileFinding, Findings, check_files
 from param_tools.files.descriptions import Descriptions, NodeDescription
 from param_tools.files.parameter_files import read_bytes
 from param_tools.files.parsing import KEY, Assignment, Parser, effective, matches
 
+# The beginning of a substitution of launch, and a variable of a shell.
+_SUBSTITUTION = re.compile(r'\$\(([a-z][\w-]*)|^\$\{?([A-Z][A-Z0-9_]*)\b\}?')
 
+
+@dataclass
 class Rehearsal(Context):
     """A launch that starts nothing."""
+
+    warnings: list[FileFinding] = field(default_factory=list)
+    """What launch would warn of; without a file if it is not known where that is written."""
+
+    def warn(self, text: str, origin: Origin | None, kind: str = 'unreadable') -> None:
+        line = origin.line or 0 if origin else 0
+        self.warnings.append(FileFinding(str(origin.file) if origin else '', line, int(line > 0), kind, text))
 
     def find_program(self, package: str, executable: str) -> list[str]:
         return [f'{package}/{executable}']
@@ -91,14 +105,15 @@ class RehearsedLaunch:
         :param folder: Where parameter files are written.
         """
         self.path = path
-        self._warnings: list[str] = []
         self._context = Rehearsal(folder=folder, log=self._note)
+        self._given: dict[str, Any] = {}
+        """For each file with one value, what that is in the launch file."""
         programs = carry_out([include(path, arguments)], self._context)
         self.nodes = [node for program in programs if (node := self._node(program)) is not None]
 
     def _note(self, level: str, _name: str, text: str) -> None:
         if level == 'WARNING':
-            self._warnings.append(text)
+            self._context.warn(text, None)
 
     def _node(self, program: Program) -> RehearsedNode | None:
         words = program.command
@@ -107,7 +122,8 @@ class RehearsedLaunch:
         options = list(_ros_options(words))
         names = {rule.partition(':=')[0]: rule.partition(':=')[2] for option, rule in reversed(options)
                  if option == '-r'}
-        executable = words[0].rpartition('/')[2]
+        # A plugin is a class in a namespace of C++, and a node's name is a word.
+        executable = re.sub(r'\W', '_', words[0].rpartition('/')[2].removesuffix('.py').rpartition('::')[2])
         node = RehearsedNode(words[0], f'{names.get("__ns", "/").rstrip("/")}/{names.get("__node", executable)}',
                              '__node' in names)
         for option, text in options:
@@ -115,8 +131,9 @@ class RehearsedLaunch:
                 node.files.append(Path(text))
             elif option == '-p':
                 name, _, value = text.partition(':=')
-                node.files.append(self._context.write(f'/**:\n  {KEY}:\n    {name}: {value}\n',
-                                                      self._context.origins.get(text)))
+                path = self._context.write(f'/**:\n  {KEY}:\n    {name}: {value}\n', self._context.origins.get(text))
+                node.files.append(path)
+                self._given[str(path)] = self._context.given.get(text)
         return node
 
     def given(self, node: RehearsedNode) -> list[Given]:
@@ -138,33 +155,62 @@ class RehearsedLaunch:
     def check(self, known: Descriptions) -> Findings:
         """Find what no node would get, and what a node would reject."""
         found: dict[FileFinding, None] = {}
-        for text in self._warnings:
-            origin = self._context.origins.get(text)
-            found[FileFinding(str(self.path), 0, 0, 'unreadable', text) if origin is None else
-                  FileFinding(str(origin.file), origin.line or 0, 1, 'unreadable', text)] = None
+        for warning in self._context.warnings:
+            found[dataclasses.replace(warning, file=warning.file or str(self.path))] = None
         left: dict[str, None] = {}
         for node in self.nodes:
             description = node.description(known)
             files = [path for path in node.files if path.is_file()]
             result = check_files(files, Descriptions([] if description is None else [description]))
             others = [each.name for each in self.nodes if each is not node]
-            for each in (*result, *self._never_matched(node, files)):
+            own = list(self._changed_on_the_way(node, description))
+            told = {(each.file, each.parameter) for each in own}
+            for each in (*own, *(each for each in result if (each.file, each.parameter) not in told),
+                         *self._never_matched(node, files)):
                 if each.kind != 'unknown node' or not any(matches(each.node, other) for other in others):
                     found[self._moved(each)] = None
-            for name, winner in node.winners:
-                if winner.file not in self._context.origins and re.search(r'\$\([a-z]', str(winner.value)):
-                    found[FileFinding(winner.file, winner.place.line, winner.place.column, 'not filled in', (
-                        f'{node.name} gets this text as it stands: launch replaces a part of a file only if it is '
-                        f'given as ParameterFile(…, allow_substs=True)'), node.name, name)] = None
             for place in result.left_to_launch:
                 file, _, line = place.rpartition(':')
-                if file in self._context.origins:
+                if file in self._context.origins and self._context.origins[file].is_filled_in:
                     left[_written(*self._place(file, int(line), ''))] = None
         findings = Findings(found)
         findings.left_to_launch = tuple(left)
         if known:
             findings.passed_over = tuple(node.name for node in self.nodes if node.description(known) is None)
         return findings
+
+    def _changed_on_the_way(self, node: RehearsedNode, description: NodeDescription | None) -> Iterator[FileFinding]:
+        """Find the values that the node gets otherwise than the author of the launch file or of a file may expect."""
+        for name, winner in node.winners:
+            origin, given = self._context.origins.get(winner.file), self._given.get(winner.file)
+            is_of_launch = origin is not None and origin.line is not None
+            value = values.format_value(winner.value, 60)
+            texts = [each.text for each in winner.scalars if not isinstance(each.value, str) and is_of_launch
+                     and (isinstance(given, str) or isinstance(yaml.safe_load(each.text), str))]
+            known = None if description is None else description.parameters.get(name)
+            left = _SUBSTITUTION.search(str(winner.value)) if origin is None or not origin.is_filled_in else None
+            kind = 'likely mistake'
+            if texts and (known is None or isinstance(winner.value, list) or known.objection(winner.value)):
+                what = (f'launch gives {node.name} the text {texts[0]!r} for {name} without its quotes, so that rcl '
+                        f'reads {value}: write it with quotes in a parameter file')
+            elif isinstance(given, tuple) and isinstance(winner.value, str):
+                what = (f'SetParameter writes the list as Python does, so that {node.name} gets the text {value} for '
+                        f'{name}: give the list in parameters= or in a file')
+            elif is_of_launch and KEY in name.split('.'):
+                what = (f'launch takes the whole dictionary for parameters, so that {node.name} gets a parameter '
+                        f'{name}: give the path of the file, or only what is below {KEY}')
+            elif left:
+                kind, remedy = 'not filled in', ''
+                if left[2]:
+                    remedy = f' Neither launch nor rcl replaces {left[0]}: write $(env {left[2]}).'
+                elif left[1] in ROS_1:
+                    remedy = f' Launch has no {left[0]} …), which is of ROS 1: write $({ROS_1[left[1]]} …).'
+                what = (f'{node.name} gets this text as it stands: launch replaces a part of a file only if it is '
+                        f'given as ParameterFile(…, allow_substs=True).{remedy}')
+            else:
+                continue
+            yield FileFinding(winner.file, winner.place.line, winner.place.column, kind, what.rstrip('.'), node.name,
+                              name)
 
     def _never_matched(self, node: RehearsedNode, files: Sequence[Path]) -> Iterator[FileFinding]:
         """Find the files that a node is given and that hold nothing for it."""
@@ -190,8 +236,8 @@ class RehearsedLaunch:
                          finding.message)
         path, line = self._place(finding.file, finding.line, finding.parameter)
         origin = self._context.origins.get(finding.file)
-        is_kept = path == finding.file if origin is None else origin.line is None
-        column = finding.column if is_kept else 1
+        is_kept = path == finding.file if origin is None else origin.line is None and not origin.lines
+        column = finding.column if is_kept else int(line > 0)
         return dataclasses.replace(finding, file=path, line=line, column=column, message=message)
 
     def _place(self, file: str, line: int, name: str) -> tuple[str, int]:
@@ -201,6 +247,8 @@ class RehearsedLaunch:
         origin = self._context.origins.get(file)
         if origin is None:
             return str(self.path), 0
+        if origin.lines or not origin.is_filled_in:
+            return str(origin.file), origin.lines.get(name, 0)
         if origin.line is None:
             return str(origin.file), line
         return str(origin.file), _line_of_key(origin.file, origin.line, name) or origin.line

@@ -7,12 +7,13 @@ from typing import Any
 
 import yaml
 
+from param_tools.cli.launch import components
 from param_tools.cli.launch.actions import Action, Process
 from param_tools.cli.launch.conditions import Condition
-from param_tools.cli.launch.context import Context, LaunchFailed, Origin, written_here
+from param_tools.cli.launch.context import Context, LaunchFailed, Origin, blaming, written_here
 from param_tools.cli.launch.parameters import ParameterFile, Parameters, flat
 from param_tools.cli.launch.processes import Program
-from param_tools.cli.launch.substitutions import perform
+from param_tools.cli.launch.substitutions import perform, typed_bool
 from param_tools.files.node_names import Flaw, flaw_of_namespace, flaw_of_node_name
 
 
@@ -28,6 +29,7 @@ class SetParameter(Action):
         _given_to_all(context).extend(given.items())
         if self.origin is not None:
             context.origins.update(dict.fromkeys((_rule(*each) for each in given.items()), self.origin))
+        context.given.update((_rule(*each), each[1]) for each in given.items())
 
 
 def _rule(name: str, value: Any) -> str:
@@ -53,6 +55,18 @@ def _given_to_all(context: Context) -> list[Any]:
     """
     found: list[Any] = context.launch_configurations.setdefault('global_params', [])
     return found
+
+
+@dataclass
+class SetUseSimTime(Action):
+    """The clock of launch's own node, which only the genuine launch has; no node of the launch file gets anything."""
+
+    value: Any
+
+    def execute(self, context: Context) -> None:
+        context.expect_launchable('SetUseSimTime')
+        context.warn("SetUseSimTime sets use_sim_time of launch's own node, and no node of the launch file gets it: "
+                     "write SetParameter('use_sim_time', True) for these", self.origin, 'likely mistake')
 
 
 @dataclass
@@ -98,6 +112,8 @@ class Node(Process):
         executable = perform(self.executable, context)
         program = [executable] if self.package is None else context.find_program(perform(self.package, context),
                                                                                  executable)
+        if typed_bool(self.shell, context):
+            context.expect_launchable('shell= of a Node')
         return [self.program(self.command(program, context), Path(executable).name, context)]
 
     def command(self, program: list[str], context: Context) -> list[str]:
@@ -149,7 +165,7 @@ class ComposableNode:
         name, namespace = full_name(self.name, self.namespace, context)
         words = [*context.find_program(perform(self.package, context), plugin), '--ros-args',
                  *_name_words(name, namespace),
-                 *parameter_words(self.parameters, name, namespace, self.origin, context)]
+                 *parameter_words(self.parameters, name, namespace, self.origin, context, is_component=True)]
         return [Program(words, plugin, False, False)]
 
 
@@ -218,7 +234,7 @@ def _expect_parameters(what: str, parameters: Any) -> None:
 
 
 def parameter_words(parameters: Iterable[Any] | None, name: str | None, namespace: str | None,
-                    origin: Origin | None, context: Context) -> list[str]:
+                    origin: Origin | None, context: Context, *, is_component: bool = False) -> list[str]:
     """Return the words of a command line that give a node its parameters: first what all get, then its own.
 
     :param origin: Where the node is described.
@@ -229,22 +245,30 @@ def parameter_words(parameters: Iterable[Any] | None, name: str | None, namespac
             path = Path(each).absolute()
             if not path.is_file():
                 raise LaunchFailed(f'SetParametersFromFile: {path} is not a file')
-            words += ['--params-file', str(path)]
+            words += components.words_of_file(path, name, namespace, context) if is_component else [
+                '--params-file', str(path)]
+        elif is_component:
+            words += components.words_of_values(dict([each]), context.origins.get(_rule(*each)), context)
         else:
             words += ['-p', _rule(*each)]
     # The full name where the launch file gives it, and every node's where it does not.
     key = '/**' if name is None or namespace is None else f'{namespace.rstrip("/")}/{name}'
     for source in parameters or ():
         if isinstance(source, Mapping):
-            path = context.write(yaml.safe_dump({key: {'ros__parameters': flat(source, context)}}),
-                                 source.origin if isinstance(source, Parameters) else origin)
+            place = source.origin if isinstance(source, Parameters) else origin
+            with blaming(place):
+                given = flat(source, context)
+            if is_component:
+                words += components.words_of_values(given, place, context)
+                continue
+            path = context.write(yaml.safe_dump({key: {'ros__parameters': given}}), place)
         else:
             path = (source if isinstance(source, ParameterFile) else ParameterFile(source)).evaluate(context)
             if not path.is_file():
-                warning = f'Parameter file path is not a file: {path}'
-                if origin is not None:
-                    context.origins[warning] = origin
-                context.log('WARNING', 'launch_ros.actions.node', warning)
+                context.warn(f'Parameter file path is not a file: {path}', origin)
+                continue
+            if is_component:
+                words += components.words_of_file(path, name, namespace, context)
                 continue
         words += ['--params-file', str(path)]
     return words

@@ -35,6 +35,8 @@ KINDS: dict[str, Callable[..., Substitution]] = {
     'equals': known.EqualsSubstitution,
     'not-equals': known.NotEqualsSubstitution,
 }
+# Substitutions of ROS 1, and what they are called in ROS 2.
+ROS_1 = {'arg': 'var', 'find': 'find-pkg-share', 'optenv': 'env'}
 
 
 def parse_text(text: str) -> list[Substitution]:
@@ -76,6 +78,9 @@ class _Reader:
             raise self._unreadable(start)
         self._place += 1
         name = beginning[1]
+        if name in ROS_1:
+            raise LaunchFailed(f'launch has no substitution {self._text[start:self._place]}, which is of ROS 1: ROS 2 '
+                               f'has $({ROS_1[name]} ...)')
         if name not in KINDS:
             reject(f'substitution {self._text[start:self._place]}')
         try:

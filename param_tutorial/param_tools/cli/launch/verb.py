@@ -14,7 +14,7 @@ from param_tools.cli.launch.actions import (
     LaunchFileSource,
     carry_out,
 )
-from param_tools.cli.launch.context import Context, LaunchFailed
+from param_tools.cli.launch.context import Context, LaunchFailed, Origin
 from param_tools.cli.launch.processes import Launcher
 from param_tools.cli.launch.reading import load_description
 from param_tools.cli.launch.substitutions import describe
@@ -59,7 +59,9 @@ def launch_file(session: Session, args: argparse.Namespace) -> Steps:
 
 def include(path: Path, arguments: Mapping[str, str]) -> IncludeLaunchDescription:
     """Return the action that carries out a launch file with arguments, as `ros2 launch` does."""
-    return IncludeLaunchDescription(LaunchFileSource(path), launch_arguments=arguments.items())
+    found = IncludeLaunchDescription(LaunchFileSource(path), launch_arguments=arguments.items())
+    found.origin = Origin(path, None)
+    return found
 
 
 def path_and_arguments(words: Sequence[str]) -> tuple[Path, dict[str, str]]:
