@@ -1,6 +1,7 @@
 """The exercises: no blank is done, each solution is, and a check answers anything else in a sentence."""
 
 import re
+import shutil
 import threading
 
 import pytest
@@ -92,12 +93,19 @@ def test_a_program_that_is_not_there_is_named(ros, tmp_path):
     assert [finding.word for finding in result.findings] == ['not yet', *['not tried'] * (len(result.findings) - 1)]
 
 
-def test_a_copy_that_is_older_than_the_readers_file_is_found(ros):
+def test_a_copy_that_is_older_than_the_readers_file_is_found_and_one_that_is_not_there(ros):
     files = solution('2d')
     copy = files.lessons / 'ros2_ws/install/my_robot/lib/python3.11/site-packages/my_robot/driver_node.py'
     copy.parent.mkdir(parents=True)
     copy.write_text('pass')
     assert list(not_yet(exercises.check('2d', files)).values()) == ['the copy there is older. A build replaces it']
+    shutil.rmtree(files.lessons / 'ros2_ws/install')
+    assert list(not_yet(exercises.check('2d', files)).values()) == ['it is not there: a build makes it']
+
+
+def test_a_tuner_that_is_further_still_passes_its_first_step(ros):
+    result = exercises.check('5.3a', solution('5.3b'))
+    assert result.done, result
 
 
 @pytest.mark.rare

@@ -13,7 +13,7 @@ import nbformat
 
 from param_tutorial.exercises import EXERCISES
 from param_tutorial.exercises.chapters import ch05_1
-from param_tutorial.learner.package_files import PackageFiles, steps
+from param_tutorial.learner.package_files import NAME, WORKSPACE, PackageFiles, steps
 from tests.support import commands
 from tests.support.paths import NOTEBOOKS
 
@@ -92,6 +92,7 @@ def package(step, *replacements):
     """Return the package as it stands after a step, with some of its words replaced by others."""
     files = PackageFiles(Path(tempfile.mkdtemp(dir=_PROGRAMS.name)))
     files.lay_out(step)
+    (files.lessons / WORKSPACE / 'install' / NAME).mkdir(parents=True)  # as after a build with links
     texts = sorted((each for each in files.root.rglob('*') if each.is_file()), key=lambda each: each.suffix != '.py')
     for old, new in replacements:
         path = next((each for each in texts if old in each.read_text()), None)

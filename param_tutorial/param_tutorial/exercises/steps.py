@@ -1,6 +1,5 @@
 """Steps of the reader's own package as answers: the check makes the driver's node in its corner, and is its base."""
 
-import ast
 import contextlib
 import itertools
 import os
@@ -10,10 +9,11 @@ import tempfile
 import time
 import types
 from collections import deque
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
+from xml.etree import ElementTree
 
 from geometry_msgs.msg import Twist
 from rclpy.node import Node
@@ -91,34 +91,105 @@ TUNER = DRIVER._replace(open=lambda work: class_of(file_of(work, 'tuner_node.py'
 TUNER_PROGRAM = DRIVER._replace(open=lambda work: file_of(work, 'tuner_node.py'))
 
 
-def expect_entry_points(setup: Path, *names: str) -> None:
-    """Expect a ``setup.py`` that Python can read to make an executable of ``main`` in each node's file."""
-    text = setup.read_text(encoding='utf-8')
+def package_xml(files: PackageFiles) -> ElementTree.Element:
+    """Return the root of the reader's package.xml.
+
+    :raises NoUse: ROS would not take it.
+    """
+    text = files.text('package.xml')
+    if not text.strip():
+        raise NoUse('a `package.xml` in your package', 'there is none, or nothing in it')
     try:
-        texts = {each.value for each in ast.walk(ast.parse(text)) if isinstance(each, ast.Constant)}
-    except SyntaxError as error:
-        raise NotYet('a `setup.py` that Python can read', f'{error.msg}, in line {error.lineno}') from None
+        root = ElementTree.fromstring(text.encode())
+    except ElementTree.ParseError as error:
+        line, _ = error.position
+        shown = text.splitlines()[min(line, text.count('\n')) - 1].strip()
+        raise NoUse('a `package.xml` that can be read', f'{error}: `{shown}`') from None
+    for tag, wanted in (('name', NAME), ('export/build_type', 'ament_python')):
+        found = (root.findtext(tag) or '').strip()
+        if found != wanted:
+            raise NoUse(f'a `package.xml` that says `{wanted}` in `<{tag.rpartition("/")[2]}>`', f'it says `{found}`')
+    return root
+
+
+def needed_packages(root: ElementTree.Element) -> set[str]:
+    """Return the packages that a package.xml names as needed when the package runs."""
+    return {(each.text or '').strip() for tag in ('depend', 'exec_depend') for each in root.findall(tag)}
+
+
+def remark_elsewhere(root: ElementTree.Element, names: Iterable[str]) -> str:
+    """Return a sentence about the element in which packages stand that are not among those needed, if there is one."""
+    tags = sorted({each.tag for each in root.iter() if (each.text or '').strip() in names})
+    return f'. A `<{tags[0]}>` says something else' if tags else ''
+
+
+def expect_entry_points(trial: Trial, root: Path, *names: str) -> None:
+    """Expect the ``setup.py`` in a package's folder to make an executable of ``main`` in each node's file."""
+    found = {''.join(str(each).split()) for given in setup_calls(trial, root)
+             for each in given.get('entry_points', {}).get('console_scripts', ())}
     for name in names:
         line = f'{name} = my_robot.{name}:main'
         # Python joins two strings that have no comma between them.
-        remark = '. Is there a comma between it and the other line?' if line in text else ''
-        expect(any(''.join(str(each).split()) == line.replace(' ', '') for each in texts),
-               f'`{line!r}` among the `console_scripts`', f'there is no such line{remark}')
+        is_joined = any(line.replace(' ', '') in each for each in found)
+        expect(line.replace(' ', '') in found, f'`{line!r}` among the `console_scripts`', 'there is no such line' + (
+            '. Is there a comma between it and the other line?' if is_joined else ''))
 
 
-def setup_calls(files: PackageFiles) -> list[dict[str, Any]]:
+def installed_files(trial: Trial, root: Path) -> dict[str, str]:
+    """Return what the ``setup.py`` in a package's folder installs as data: each path in the install space, and its
+    source in the package.
+
+    :raises NoUse: it cannot be run, or names files that are not there.
+    """
+    try:
+        found = {f'{place}/{Path(source).name}': str(source) for given in setup_calls(trial, root)
+                 for place, sources in given.get('data_files', ()) for source in _as_list(sources)}
+    except (TypeError, ValueError) as error:
+        raise NoUse('`data_files` with pairs of a folder and a list of files', describe_error(error)) from None
+    missing = [each for each in found.values() if not (root / each).is_file()]
+    if missing:
+        raise NoUse('entries in `data_files` for files that are there', f'there is no `{missing[0]}`')
+    return found
+
+
+def expect_installed(trial: Trial, name: str) -> None:
+    """Expect a file of the package to be installed where a launch looks for it."""
+    found = [target for target, source in installed_files(trial, trial.work.root).items() if Path(source) == Path(name)]
+    expect(f'share/{NAME}/{name}' in found, f'`share/{NAME}/{name}` in the install space',
+           'it goes to ' + ', '.join(f'`{each}`' for each in sorted(found)) if found
+           else f'no entry of `data_files` has `{name}`')
+
+
+def _as_list(sources: Any) -> list[Any]:
+    if isinstance(sources, str):
+        raise TypeError(f'`{sources}` is no list')
+    return list(sources)
+
+
+def setup_calls(trial: Trial, root: Path) -> list[dict[str, Any]]:
     """Run the ``setup.py`` of a package in its folder, as a build does, and return what it gives to ``setup``.
 
     Nothing is built, so it works in a page, too.
+
+    :raises NoUse: it does not run to its end.
     """
+    try:
+        return trial.call('it', _run_setup, root)  # type: ignore[no-any-return]
+    except NotYet as error:
+        raise NoUse('a `setup.py` that Python can run', error.happened) from None
+
+
+def _run_setup(root: Path) -> list[dict[str, Any]]:
     calls: list[dict[str, Any]] = []
     recorder = types.ModuleType('setuptools')
     recorder.__dict__.update(setup=lambda **words: calls.append(words), find_packages=lambda *_, **__: [NAME])
+    path = root / 'setup.py'
+    code = compile(path.read_text(encoding='utf-8'), str(path), 'exec')
     before, folder = sys.modules.get('setuptools'), Path.cwd()
     sys.modules['setuptools'] = recorder
-    os.chdir(files.root)
+    os.chdir(root)
     try:
-        exec(compile(files.text('setup.py'), 'setup.py', 'exec'), {'__name__': '__main__', '__file__': 'setup.py'})
+        exec(code, {'__name__': '__main__', '__file__': path.name})
     finally:
         os.chdir(folder)
         if before is None:

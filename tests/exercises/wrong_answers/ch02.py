@@ -1,11 +1,11 @@
 """Wrong answers that people give, and unusual right ones, to the exercises of chapter 2."""
 
 PRINT = "print('I drive my_robot.')"
-DESCRIPTION = 'A robot that stops in front of a wall, and whose parameters say how.'
+_SAID = '<description>A robot that stops in front of a wall, and whose parameters say how.'
 
 WRONG = {
     '2a': [
-        ([(f'<description>{DESCRIPTION}', '<description>TODO: say it')], 2, 'it says `TODO: say it`'),
+        ([(_SAID, '<description>TODO: say it')], 2, 'it says `TODO: say it`'),
         ([('  <license>Apache-2.0</license>\n', '')], 2, 'it is empty, or missing'),
         ([('  <exec_depend>sensor_msgs</exec_depend>\n', '')], 2, 'there is none for `sensor_msgs`'),
         ([('<exec_depend>rclpy</exec_depend>', '<build_depend>rclpy</build_depend>')], 2,
@@ -18,8 +18,8 @@ WRONG = {
         ([('  <test_depend>python3', '  <test_depend>ament_pep257</test_depend>\n  <test_depend>python3')], 2,
          'there are still `ament_pep257`'),
         ([('    <build_type>ament_python</build_type>\n', '')], 0, 'it says ``'),
-        ([(DESCRIPTION, ' ')], 2, 'it is empty, or missing'),
-        ([(DESCRIPTION, 'speed < 2')], 0, 'not well-formed'),
+        ([(_SAID, '<description> ')], 2, 'it is empty, or missing'),
+        ([(_SAID, '<description>speed < 2')], 0, 'not well-formed'),
     ],
     '2b': [
         ([('cd ~/ros2_ws\n', ''), ('colcon build\n', 'colcon build\ncd ~/ros2_ws\n')],
@@ -62,7 +62,7 @@ WRONG = {
 RIGHT = {
     '2a': [
         [('<exec_depend>rclpy</exec_depend>', '<depend>rclpy</depend>')],
-        [(DESCRIPTION, '\n    Drives.\n  '), ('Apache-2.0', 'MIT')],
+        [(_SAID, '<description>\n    Drives.\n  '), ('Apache-2.0', 'MIT')],
     ],
     '2b': [
         [('source install/setup.bash\n', '. install/setup.bash\n')],

@@ -23,9 +23,9 @@ WRONG = {
         ([('    rate_hz: 20', '    rate_hz:')], 0, 'No value at line 7'),
     ],
     '7.1b': [
-        ([(f'        {_PAIR},\n', '')], 2, '`data_files` does not name it'),
-        ([("package_name + '/config'", 'package_name')], 2, 'it becomes `share/my_robot/my_robot.yaml`'),
-        ([("'share/' + package_name + '/config'", "'config'")], 2, 'it becomes `config/my_robot.yaml`'),
+        ([(f'        {_PAIR},\n', '')], 2, 'no entry of `data_files` has `config/'),
+        ([("package_name + '/config'", 'package_name')], 2, 'it goes to `share/my_robot/my_robot.yaml`'),
+        ([("'share/' + package_name + '/config'", "'config'")], 2, 'it goes to `config/my_robot.yaml`'),
         ([("['config/my_robot.yaml']", "['my_robot.yaml']")], 0, 'there is no `my_robot.yaml`'),
         ([("['config/my_robot.yaml']", "'config/my_robot.yaml'")], 0, 'is no list'),
         ([(f'{_XML}\n', f'{_XML[:-1]}\n')], 0, "'tuple' object is not callable"),

@@ -10,7 +10,6 @@ import sys
 import tempfile
 from pathlib import Path
 from typing import NamedTuple
-from xml.etree import ElementTree
 
 from param_tools.cli.run import find_program
 from param_tools.cli.session import CommandFailed
@@ -19,9 +18,15 @@ from param_tools.ros import host
 from param_tools.ros.waiting import PATIENCE, wait
 from param_tutorial.exercises.exercise import TEXT, Exercise
 from param_tutorial.exercises.programs import describe_exception
-from param_tutorial.exercises.steps import PACKAGE
+from param_tutorial.exercises.steps import (
+    PACKAGE,
+    expect_entry_points,
+    needed_packages,
+    package_xml,
+    remark_elsewhere,
+)
 from param_tutorial.exercises.trial import NoUse, Trial, expect, take_for_granted
-from param_tutorial.learner.package_files import NAME, PackageFiles
+from param_tutorial.learner.package_files import NAME, WORKSPACE, PackageFiles
 from param_tutorial.notebook.shell import NO_SHELL, Shell
 from param_tutorial.notebook.terminal import Terminal
 
@@ -135,27 +140,6 @@ fill = Exercise('2a', 'Fill in the gaps', CHAPTER, PACKAGE, hints=(
     'order.'))
 
 
-def package_xml(files: PackageFiles) -> ElementTree.Element:
-    """Return the root of the reader's package.xml.
-
-    :raises NoUse: ROS would not take it.
-    """
-    text = files.text('package.xml')
-    if not text.strip():
-        raise NoUse('a `package.xml` in your package', 'there is none, or nothing in it')
-    try:
-        root = ElementTree.fromstring(text.encode())
-    except ElementTree.ParseError as error:
-        line, _ = error.position
-        shown = text.splitlines()[min(line, text.count('\n')) - 1].strip()
-        raise NoUse('a `package.xml` that can be read', f'{error}: `{shown}`') from None
-    for tag, wanted in (('name', NAME), ('export/build_type', 'ament_python')):
-        found = (root.findtext(tag) or '').strip()
-        if found != wanted:
-            raise NoUse(f'a `package.xml` that says `{wanted}` in `<{tag.rpartition("/")[2]}>`', f'it says `{found}`')
-    return root
-
-
 def expect_words(trial: Trial, tag: str) -> None:
     """Expect an element with words of the reader's."""
     found = ' '.join((package_xml(trial.work).findtext(tag) or '').split())
@@ -176,11 +160,9 @@ def has_license(trial: Trial) -> None:
 @fill.require('it names the four packages that the driver needs when it runs', see=CREATE)
 def has_dependencies(trial: Trial) -> None:
     root = package_xml(trial.work)
-    named = {(each.text or '').strip() for tag in ('depend', 'exec_depend') for each in root.findall(tag)}
-    missing = [each for each in NEEDED if each not in named]
-    elsewhere = sorted({each.tag for each in root.iter() if (each.text or '').strip() in missing})
+    missing = [each for each in NEEDED if each not in needed_packages(root)]
     expect(not missing, 'an `<exec_depend>` for each', 'there is none for ' + ', '.join(f'`{each}`' for each in missing)
-           + (f'. A `<{elsewhere[0]}>` says something else' if elsewhere else ''))
+           + remark_elsewhere(root, missing))
     left = [each.text for each in root if (each.text or '').strip().startswith('ament_')]
     expect(not left, 'they replace the three lines with `ament_`',
            'there are still ' + ', '.join(f'`{each}`' for each in left))
@@ -206,8 +188,7 @@ def prints(trial: Trial) -> None:
                         f'from `resource/{NAME}`')
         printed = built.printed
     else:
-        if not re.search(r"'driver_node *= *my_robot\.driver_node:main'", files.text('setup.py')):
-            raise NoUse('an entry point for `driver_node`', 'there is none in `setup.py`')
+        expect_entry_points(trial, files.root, 'driver_node')
         printed = _run(f'python3 {shlex.quote(str(source))}')
     last = printed.strip().splitlines()[-1:]
     # A traceback may quote it.
@@ -220,7 +201,10 @@ def is_built_anew(trial: Trial) -> None:
     take_for_granted(trial, prints)
     files: PackageFiles = trial.work
     now = files.text('driver_node.py')
-    copies = (files.lessons / 'ros2_ws' / 'install').rglob('driver_node.py')
+    space = files.lessons / WORKSPACE / 'install' / NAME
+    expect(space.is_dir() or not host.host.has_processes, f'`~/{WORKSPACE}/install/{NAME}`',
+           'it is not there: a build makes it')
+    copies = space.rglob('driver_node.py')  # none after `--symlink-install`, when Python reads the file itself
     expect(all(each.read_text(encoding='utf-8') == now for each in copies), 'a copy of it in the install space',
            'the copy there is older. A build replaces it')
 
@@ -233,7 +217,6 @@ type_in = Exercise('2b', 'From an empty terminal', CHAPTER, TEXT, hints=(
     'Four lines: `cd` to the workspace, `colcon build`, `source` with the file that the build has written, and '
     '`ros2 run` with the names of package and program.'))
 
-WORKSPACE = 'ros2_ws'
 MARKER, PROGRAM = f'{INDEX}/{NAME}', f'lib/{NAME}/driver_node'
 # What the build of the package would put into its install space; a real one takes half a minute on a slow machine.
 BUILT = {
@@ -289,7 +272,7 @@ def type_lines(lines: str) -> Typed:
         known = shell.environment().get('AMENT_PREFIX_PATH', '').split(os.pathsep)
         spaces = sorted(path.parent.relative_to(shell.home) for path in shell.home.rglob('install')
                         if (path / NAME / MARKER).exists())
-        in_place = [path for path in spaces if path == Path(WORKSPACE)]
+        in_place = [path for path in spaces if path == WORKSPACE]
         return Typed(printed, str([*in_place, *spaces][0]) if spaces else None,
                      any(Path(prefix, MARKER).exists() for prefix in known if prefix),
                      (shell.home / '.started').exists())
@@ -313,7 +296,7 @@ def typed(trial: Trial) -> Typed:
 @type_in.require('the package is built, in its workspace', see=BUILD)
 def is_built(trial: Trial) -> None:
     done = typed(trial)
-    if done.built_in != WORKSPACE:
+    if done.built_in != str(WORKSPACE):
         happened = 'it is not there'
         if done.built_in:
             folder = '~' if done.built_in == '.' else f'~/{done.built_in}'

@@ -1,7 +1,6 @@
 """Exercises of chapter 7.1: the reader's parameter file and its installation, and a dump with five traps."""
 
 import re
-from pathlib import Path
 from typing import Any
 
 from rclpy.node import Node
@@ -9,8 +8,8 @@ from rclpy.node import Node
 from param_tools import values
 from param_tools.files import parameter_files
 from param_tutorial.exercises.exercise import TEXT, Exercise
-from param_tutorial.exercises.steps import PACKAGE, class_of, setup_calls
-from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, describe_error, expect
+from param_tutorial.exercises.steps import PACKAGE, class_of, expect_installed, installed_files
+from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.learner.package_files import NAME, PackageFiles, our_copy
 
 CHAPTER = '07_1_saving'
@@ -140,44 +139,19 @@ installed = Exercise('7.1b', 'The package takes it along', CHAPTER, PACKAGE, hin
     f"`('share/' + package_name + '/config', ['{FILE}']),`."))
 
 
-def installs(files: PackageFiles) -> dict[str, str]:
-    """Return what a package's ``setup.py`` has installed as data: each path in the install space, and its source.
-
-    :raises NoUse: it raises an exception, or gives nothing that can be installed.
-    """
-    try:
-        calls = setup_calls(files)
-        return {f'{place}/{Path(source).name}': str(source)
-                for given in calls for place, sources in given.get('data_files', ()) for source in _as_list(sources)}
-    except SyntaxError as error:
-        raise NoUse('a `setup.py` that Python can read', f'{error.msg}, in line {error.lineno}') from None
-    except (Exception, SystemExit) as error:
-        raise NoUse('a `setup.py` that runs to its end', describe_error(error)) from None
-
-
-def _as_list(sources: Any) -> list[Any]:
-    if isinstance(sources, str):
-        raise NoUse('pairs of a folder and a list of files', f'`{sources}` is no list')
-    return list(sources)
-
-
 @installed.require('`setup.py` runs, and a build finds each file that it names', see=BACK)
 def is_found(trial: Trial) -> None:
-    missing = [each for each in installs(trial.work).values() if not trial.work.path(each).is_file()]
-    if missing:
-        raise NoUse('files of your package', f'there is no `{missing[0]}`')
+    installed_files(trial, trial.work.root)
 
 
 @installed.require(f'it installs `{FILE}` in `{SHARE}/config`', see=BACK)
 def is_installed(trial: Trial) -> None:
-    places = [place for place, source in installs(trial.work).items() if Path(source) == Path(FILE)]
-    expect(f'{SHARE}/{FILE}' in places, f'`{SHARE}/{FILE}`', f'it becomes `{places[0]}`' if places else
-           '`data_files` does not name it')
+    expect_installed(trial, FILE)
 
 
 @installed.require('it still installs the marker of the package, and `package.xml`', see=BACK)
 def keeps_others(trial: Trial) -> None:
-    places = installs(trial.work)
+    places = installed_files(trial, trial.work.root)
     for each in (f'share/ament_index/resource_index/packages/{NAME}', f'{SHARE}/package.xml'):
         expect(each in places, f'`{each}`', '`data_files` does not name it any more')
 

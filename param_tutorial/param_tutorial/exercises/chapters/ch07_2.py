@@ -7,13 +7,19 @@ from a path on this computer, comes to light.
 import contextlib
 import re
 from collections.abc import Mapping
-from pathlib import Path
-from xml.etree import ElementTree
 
 from param_tutorial.exercises.exercise import Exercise
-from param_tutorial.exercises.steps import CONFIG, LAUNCH, PACKAGE, launch, setup_calls
+from param_tutorial.exercises.steps import (
+    CONFIG,
+    LAUNCH,
+    PACKAGE,
+    expect_installed,
+    launch,
+    needed_packages,
+    package_xml,
+    remark_elsewhere,
+)
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect, take_for_granted
-from param_tutorial.learner.package_files import NAME, PackageFiles
 
 CHAPTER = '07_2_launch_files'
 TYPES = 'The command line that a launch types'
@@ -79,34 +85,6 @@ install = Exercise('7.2b', 'What your package installs', CHAPTER, PACKAGE, hints
     '`<exec_depend>ros2launch</exec_depend>` the one in `package.xml`.'))
 
 
-def installed(trial: Trial) -> dict[str, Path]:
-    """Return what `data_files` installs: the path in the install space, and the file in the package.
-
-    :raises NoUse: `setup.py` cannot be run.
-    """
-    files: PackageFiles = trial.work
-    try:
-        calls = trial.call('it', setup_calls, files)
-        found = {f'{target}/{Path(each).name}': files.root / each
-                 for target, sources in calls[0].get('data_files', ()) for each in sources}
-    except NotYet as error:
-        raise NoUse('a `setup.py` that Python can run', error.happened) from None
-    except (IndexError, TypeError, ValueError):
-        raise NoUse('`data_files` with pairs of a folder and a list of files', 'one of them is none') from None
-    missing = [f'`{each.relative_to(files.root)}`' for each in found.values() if not each.is_file()]
-    if missing:
-        raise NoUse('entries in `data_files` for files that are there', f'there is no {", ".join(missing)}')
-    return found
-
-
-def expect_installed(trial: Trial, name: str) -> None:
-    """Expect a file of the package to be installed where a launch looks for it."""
-    found = {target for target, path in installed(trial).items() if path == trial.work.root / name}
-    expect(f'share/{NAME}/{name}' in found, f'`share/{NAME}/{name}` in the install space',
-           'it goes to ' + ', '.join(f'`{each}`' for each in sorted(found)) if found
-           else f'no entry of `data_files` has `{name}`')
-
-
 @install.require('`setup.py` installs your launch file, and still your parameter file', see=BUILD)
 def installs_both(trial: Trial) -> None:
     for name in (LAUNCH, CONFIG):
@@ -115,15 +93,9 @@ def installs_both(trial: Trial) -> None:
 
 @install.require('`package.xml` says that your package needs `ros2launch` when it runs', see=BUILD)
 def names_launch(trial: Trial) -> None:
-    try:
-        root = ElementTree.fromstring(trial.work.text('package.xml').encode())
-    except ElementTree.ParseError as error:
-        raise NotYet('a `package.xml` that can be read', str(error)) from None
-    named = {(each.text or '').strip(): tag for tag in ('test_depend', 'build_depend', 'depend', 'exec_depend')
-             for each in root.findall(tag)}
-    expect({'depend', 'exec_depend'} & {named.get('ros2launch'), named.get('launch_ros')},
-           '`<exec_depend>ros2launch</exec_depend>`', f'it is a `<{named["ros2launch"]}>`, which says something else'
-           if 'ros2launch' in named else 'there is none')
+    root, either = package_xml(trial.work), {'ros2launch', 'launch_ros'}
+    expect(either & needed_packages(root), '`<exec_depend>ros2launch</exec_depend>`',
+           'there is none' + remark_elsewhere(root, either))
 
 
 take = Exercise('7.2c', 'Any file', CHAPTER, PACKAGE, hints=(

@@ -18,7 +18,15 @@ from param_tutorial.exercises.expectations import (
     expect_rejected,
     format_found,
 )
-from param_tutorial.exercises.steps import DRIVER, PACKAGE, class_of, expect_entry_points, file_of, text_of
+from param_tutorial.exercises.steps import (
+    DRIVER,
+    PACKAGE,
+    class_of,
+    expect_entry_points,
+    expect_installed,
+    file_of,
+    text_of,
+)
 from param_tutorial.exercises.trial import NoUse, Trial, expect, take_for_granted
 
 CHAPTER = '09_from_ros1'
@@ -113,10 +121,8 @@ def has_values_anywhere(trial: Trial) -> None:
 
 @move.require('`setup.py` installs it, and names the executable `gripper_node`', see=FILE)
 def is_installed(trial: Trial) -> None:
-    text = text_of(trial.work, 'setup.py')
-    expect('config/gripper.yaml' in text or 'config/*' in text, "`'config/gripper.yaml'` among the `data_files`",
-           'it is not there')
-    expect_entry_points(trial.work.path('setup.py'), 'driver_node', 'tuner_node', 'gripper_node')
+    expect_installed(trial, 'config/gripper.yaml')
+    expect_entry_points(trial, trial.work.root, 'driver_node', 'tuner_node', 'gripper_node')
 
 
 def expect_held(trial: Trial, node: Node, after: str, wanted: dict[str, Any]) -> None:

@@ -1,11 +1,24 @@
 """Exercises of chapter 11: the reader's package gets a version and a launch file for two robots; and a last course."""
 
-import ast
 import re
 
 from param_tools.cli.launch.processes import Program
 from param_tutorial.exercises.exercise import DICTIONARY, Exercise
-from param_tutorial.exercises.steps import CONFIG, PACKAGE, carry_out, copied, drive, expect_settings, file_of, text_of
+from param_tutorial.exercises.steps import (
+    CONFIG,
+    PACKAGE,
+    carry_out,
+    copied,
+    drive,
+    expect_installed,
+    expect_settings,
+    file_of,
+    needed_packages,
+    package_xml,
+    remark_elsewhere,
+    setup_calls,
+    text_of,
+)
 from param_tutorial.exercises.trial import NoUse, Trial, expect, take_for_granted
 
 CHAPTER = '11_conclusion'
@@ -24,41 +37,27 @@ release = Exercise('11a', 'Version 1.0.0', CHAPTER, PACKAGE, hints=(
     'yours has an `<exec_depend>`.'))
 
 
-def version_in_setup(text: str) -> object:
-    """Return the argument ``version`` of the call of ``setup``; None if there is none that is written out.
-
-    :raises NoUse: Python cannot read the text.
-    """
-    try:
-        tree = ast.parse(text)
-    except SyntaxError as error:
-        raise NoUse('a `setup.py` that Python can read', f'{error.msg}, in line {error.lineno}') from None
-    return next((each.value.value for each in ast.walk(tree) if isinstance(each, ast.keyword)
-                 and each.arg == 'version' and isinstance(each.value, ast.Constant)), None)
-
-
 @release.require(f'`package.xml` says {NUMBER}', see=VERSION)
 def package_says(trial: Trial) -> None:
-    text = text_of(trial.work, 'package.xml')
-    found = re.search(r'<version[^>]*>\s*([^<\s]*)\s*</version>', text)
-    expect(found and found[1] == NUMBER, f'`<version>{NUMBER}</version>`',
-           f'it says `{found[1]}`' if found else 'there is no `<version>`')
+    found = (package_xml(trial.work).findtext('version') or '').strip()
+    expect(found == NUMBER, f'`<version>{NUMBER}</version>`', f'it says `{found}`')
 
 
 @release.require('`setup.py` says the same', see=VERSION)
 def setup_says(trial: Trial) -> None:
-    found = version_in_setup(text_of(trial.work, 'setup.py'))
+    found = next((given.get('version') for given in setup_calls(trial, trial.work.root)), None)
     expect(found == NUMBER, f'`version={NUMBER!r}`', f'it says `{found!r}`')
 
 
 @release.require('`package.xml` names each ROS package that your nodes import', see=VERSION)
 def names_dependencies(trial: Trial) -> None:
-    named = set(re.findall(r'<(?:exec_|build_)?depend>\s*([\w-]+)\s*<', text_of(trial.work, 'package.xml')))
+    root = package_xml(trial.work)
+    named = needed_packages(root)
     for path in sorted((trial.work.root / 'my_robot').glob('*_node.py')):
         for each in re.findall(r'^(?:from|import) (\w+)', path.read_text(encoding='utf-8'), re.MULTILINE):
             if each == 'rclpy' or each.endswith(('_msgs', '_interfaces')):
                 expect(each in named, f'`<exec_depend>{each}</exec_depend>`', f'`{path.name}` imports `{each}`, and '
-                       'nobody who builds the package is told')
+                       'nobody who builds the package is told' + remark_elsewhere(root, [each]))
 
 
 # -- 11b: two robots --------------------------------------------------------------------------------------------------
@@ -104,9 +103,8 @@ def both_get_file(trial: Trial) -> None:
 
 @fleet.require('`setup.py` installs both launch files', see=TWO)
 def is_installed(trial: Trial) -> None:
-    text = text_of(trial.work, 'setup.py')
     for each in ('launch/my_robot_launch.py', LAUNCH):
-        expect(each in text or 'launch/*' in text, f'`{each!r}` among the `data_files`', 'it is not there')
+        expect_installed(trial, each)
 
 
 # -- 11c: the last course ---------------------------------------------------------------------------------------------
