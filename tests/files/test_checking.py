@@ -2,6 +2,7 @@
 
 import codecs
 import re
+import time
 from pathlib import Path
 
 import hypothesis.strategies as st
@@ -85,7 +86,7 @@ def test_what_users_write_is_left_alone(path):
 def test_what_a_launch_file_fills_in_is_named_and_not_judged(write):
     findings = check_files(FOR_LAUNCH, LIFT)
     assert findings == ()
-    assert findings.left_to_launch == tuple(f'{FOR_LAUNCH}:{line}' for line in (1, 7, 9))
+    assert findings.left_to_launch == tuple(f'{FOR_LAUNCH}:{line}' for line in (1, 3, 4, 7, 8, 9))
     spoiled = write(FOR_LAUNCH.read_text().replace('steps: 40', 'steps: 45'))
     assert [(each.line, each.kind) for each in check_files(spoiled, LIFT)] == [(10, 'off the step')]
 
@@ -276,17 +277,138 @@ def test_a_file_is_rejected_by_the_strict_reader_just_where_a_finding_says_so(wr
     assert (findings.text() and findings.as_github()) or not findings
 
 
-@pytest.mark.parametrize(('text', 'places', 'words'), [
-    ('a: [{x: 1}, {x: 2}]', [(3, 8)], 'no lists of lists or of maps: rcl makes a.x.x = [1, 2] of this'),
-    ('a: [1.0, [2.0]]', [(3, 8)], 'no lists of lists or of maps: rcl makes a = [2.0] of this'),
+# What stands below the header of /lift, where something is found, and words of it.
+OTHERWISE = [
+    # lists of maps and of lists
+    ('a: [{x: 1}, {x: 2}]', [(3, 8)], 'no lists of maps, and rcl makes a.x.x = [1, 2] of this: give each map a name'),
+    ('a:\n    - x: b\n      z: c', [(4, 5)], "rcl makes a.x = ['b', 'z', 'c'] of this: give each map a name"),
+    ('a: [{b: {c: true}}]', [(3, 8)], 'rcl makes a.b.c = [True] of this'),
+    ('a: [1.0, [2.0]]', [(3, 8)], 'no lists of lists, and rcl makes a = [2.0] of this: write one list'),
+    # a header below a header
     ('inner:\n      ros__parameters: {a: 1, b: 2}', [(4, 25)],
-     'so /lift gets a parameter inner.ros__parameters.a: the block of a node begins in the first column'),
-    ('a: \u22121.5', [(3, 8)], 'a: there is a MINUS SIGN (U+2212)'),
-    ('a: 2.0\xa0', [(3, 8)], 'a NO-BREAK SPACE (U+00A0)'), ('a\u200b: 2.0', [(3, 5)], 'a ZERO WIDTH SPACE'),
-    ('a: \u201cbase\u201d', [(3, 8)], 'a LEFT DOUBLE QUOTATION MARK'),
+     'so /lift gets a parameter inner.ros__parameters.a: begin the block of a node in the first column'),
+    ('ros__parameters: {a: 1}', [(3, 23)], 'gets a parameter ros__parameters.a: write it once'),
+    ('b: 1\n    /door:\n      ros__parameters:\n        a: 1', [(6, 9)], 'a parameter /door.ros__parameters.a'),
+    # signs that look like others
+    ('a: \u22121.5', [(3, 8)], "a: a MINUS SIGN (U+2212) is in it, as on web pages, so rcl reads the text "
+     "'\\u22121.5': write -1.5"),
+    ('a: [\u20131.5, \u20132.5]', [(3, 9), (3, 15)], 'an EN DASH (U+2013) is in it'),
+    ('a: 2.0\xa0', [(3, 8)], "a NO-BREAK SPACE (U+00A0) is in it, as on web pages, so rcl reads the text '2.0\\xa0': "
+     'write 2.0'),
+    ('a\u200b: 2.0', [(3, 5)], 'a ZERO WIDTH SPACE (U+200B) is in it, as on web pages, so rcl reads the name'),
+    ('a: \u201cbase\u201d', [(3, 8)], 'write "base"'),
     ('a: "\u201cbase\u201d \u22121"', [], ''), ('a: 5\xa0\n    b: x \u2212 y', [(3, 8)], ''),
-])
+    # numbers with something behind them
+    ('a: 30 Hz', [(3, 8)], "rcl reads '30 Hz' as a text, not as a number: write 30  # Hz"),
+    ('a: 5#five', [(3, 8)], 'write 5  # five'), ('a: 5 // b', [(3, 8)], 'write 5  # b'),
+    ('a: 1.5f', [(3, 8)], 'write 1.5'), ('a: -1e3,', [(3, 8)], 'write -1e3'),
+    ('a: [0.5 m/s, 2 m/s]', [(3, 9), (3, 18)], 'write'),
+    ('a: "30 Hz"\n    b: 5 wheels\n    c: 3f2a\n    d: 1.2.3\n    e: 3d', [], ''),
+    # what nobody fills in
+    ('a: ${HOME}/x', [(3, 8)], 'a: neither rcl nor launch fills in ${HOME}, so /lift gets this text: write the value'),
+    ('a: "$HOME/x"', [(3, 8)], 'fills in $HOME'), ('a: "{{ gain }}"', [(3, 8)], 'fills in {{ gain }}'),
+    ('a: $(find demo)/map', [(3, 8)], 'launch of ROS 2 knows no $(find demo), so /lift gets this text'),
+    ('a: $(arg map)', [(3, 8)], 'or $(find-pkg-share …) or $(var …)'),
+    ('a: $(var map)\n    b: "5$"\n    c: "^a{2}$"\n    d: a$b', [], ''),
+    # an empty list
+    ('a: []', [(3, 8)], 'rcl gives the empty list a no type, so a node of rclpy has no value for it'),
+    ('a: {b: [\n    ]}', [(3, 12)], 'the empty list a.b'), ('a: [""]', [], ''),
+]
+
+
+@pytest.mark.parametrize(('text', 'places', 'words'), OTHERWISE)
 def test_what_rcl_reads_otherwise_than_it_looks_is_found(write, text, places, words):
-    found = check_files(write(f'/lift:\n  ros__parameters:\n    {text}\n'))
+    path = write(f'/lift:\n  ros__parameters:\n    {text}\n')
+    found = check_files(path)
+    assert first_rejection([path]) is None
     assert [(each.line, each.column) for each in found] == places
-    assert all(each.kind == 'likely mistake' and words in each.message for each in found)
+    assert all(each.kind in ('likely mistake', 'not filled in') and words in each.message for each in found)
+
+
+def test_what_a_described_node_takes_is_no_likely_mistake(write):
+    against = Descriptions([NodeDescription('/n', {'x': DescribedParameter(Descriptor('x', values.STRING))})])
+    assert check_files(write('/n:\n  ros__parameters:\n    x: 30 Hz\n'), against) == ()
+
+
+@pytest.mark.parametrize('header', ['ros__parameters_off', 'ros__parameters2', '"ros__parameters "'])
+def test_a_header_with_more_behind_it_is_still_one(write, header):
+    path = write(f'/lift:\n  {header}:\n    a: 1\n')
+    assert list(read_blocks(path)) == ['/lift']
+    finding, = check_files(path)
+    assert (finding.line, finding.column, finding.kind) == (2, 3, 'likely mistake')
+    assert 'rcl, which compares no more than the beginning: write ros__parameters' in finding.message
+
+
+@pytest.mark.parametrize('below', ['[]', '[{a: {b: 1}}]', '\n  - a: {b: 1}'])
+def test_a_list_below_the_header_is_found_where_rcl_reads_it(write, below):
+    path = write(f'/n: {{ros__parameters: {{a: 1}}}}\n/m:\n  ros__parameters: {below}\n')
+    assert first_rejection([path]) is None
+    assert 'remove the dashes' in check_files(path)[0].message
+
+
+# A whole file that rcl rejects, where its cause stands, and words that say what to write.
+REJECTED = [
+    ('/n:\n  ros__parameters:\n\xa0 \xa0 a: 1\n', 3, 1, 'indents nothing in YAML: indent this line with plain spaces'),
+    ('/n:\n\u3000ros__parameters:\n    a: 1\n', 2, 1, 'an IDEOGRAPHIC SPACE (U+3000)'),
+    ('/n:\n  ros__parameters:\n    a: 1\n\u2003 \u2003b: 2\n', 4, 1, 'an EM SPACE (U+2003)'),
+    ('/n:\n  ros__parameters:\n    a\uff1a 1\n', 3, 6, 'no colon: write a plain one and a space'),
+    ('/n:\n  ros__parameters:\n    a = 1\n    b = 5\n', 3, 5, 'so write a: 1'),
+    ('/n:\n  ros__parameters:\n    a.b=x y\n', 3, 5, 'so write a.b: x y'),
+    ('/n: {ros__parameters: {a: 1}}\n/m:\n  a = 1\n', 3, 3, 'so write a: 1'),
+    ('/n:\n  ros__parameters:\n    - a: 1\n    - b: 5\n', 3, 5, 'where names have to stand: remove the dashes'),
+    ('/n:\n  ros__parameters:\n  - a: 1\n    b: 5\n', 3, 3, 'remove the dashes'),
+    ('/n:\n  ros__parameters: !include n.yaml\n', 2, 20, 'write here what it stands for, or give that'),
+    ('/n:\n  ros__parameters:\n    a: !secret\n    b: 1\n', 3, 8, 'fills in no !secret: write here what it stands for'),
+    ('/m: {ros__parameters: {a: 1}}\n/n: !env\n', 2, 5, 'fills in no !env'),
+    ('/n:\n  ros__parameters:\n    a: {{ a }}\n', 3, 8, '{{ a }} is a template that nobody has filled in'),
+    ('{% if x %}\n/n:\n  ros__parameters: {a: 1}\n', 1, 1, '{% if x %} is a template'),
+    ('/n:\n  ros__parameters:\n    a: {{a}}/b\n', 3, 8, '{{a}} is a template'),
+    ('/n:\n  ros__parameters:\n    a: &amp;\n', 3, 8, '&amp; is how a web page writes &'),
+    ('/n:\n  ros__parameters:\n    a: &lt; 5 &gt;\n', 3, 8, '&lt; is how a web page writes <'),
+    ('/n:\n  ros__parameters:\n    a: &quot;b&quot;\n', 3, 8, '&quot; is how a web page writes "'),
+    ('# of OpenCV\n%YAML:1.0\n---\n/n:\n  ros__parameters: {a: 1}\n', 2, 1, 'needs no line %YAML:1.0'),
+    ('%YAML 1.2\n---\n/n:\n  ros__parameters: {a: 1}\n', 1, 1, 'needs no line %YAML 1.2, and rcl may read none'),
+    ('%FOO\n/n:\n  ros__parameters: {a: 1}\n', 1, 1, 'needs no line %FOO'),
+    # lists of several types
+    ('/n:\n  ros__parameters:\n    a: [x, y]\n', 3, 12, "'y' is a boolean, and 'x' is a string: put each of them into "
+     "quotes if they are texts, as in 'y'"),
+    ('/n:\n  ros__parameters:\n    a: [0, 0.5]\n', 3, 12, "'0.5' is a double, and '0' is an integer: write each of "
+     'them with a dot, as in 0.0'),
+    ('/n:\n  ros__parameters:\n    a: [01, 08]\n', 3, 13, 'leave out the zeros before them'),
+    ('/n:\n  ros__parameters:\n    a: [{b: x, c: 1.5, d: 2}]\n', 3, 19, 'no lists of maps, so give each map a name'),
+    ('/n:\n  ros__parameters:\n    a:\n    - b: 1\n      c: x\n    - b: 2\n      c: y\n', 5, 7, 'no lists of maps'),
+    ('dh_parameters: {a: 1}\narm:\n  solver: {b: x}\n  ros: 5\n', 1, 1, 'the file has no ros__parameters'),
+]
+
+
+@pytest.mark.parametrize(('content', 'line', 'column', 'words'), REJECTED)
+def test_the_cause_of_a_rejection_is_said_once_and_with_a_remedy(write, content, line, column, words):
+    path = write(content)
+    assert first_rejection([path]) is not None
+    finding, = check_files(path)
+    assert (finding.line, finding.column) == (line, column), finding
+    assert words in finding.message
+
+
+@pytest.mark.parametrize(('content', 'is_passed_over'), [
+    ('arm:\n  solver: demo/Solver\ngripper: {solver: a}\n', True), ('arm: {dh_parameters: {a: 1}}\n', True),
+    ('a: [1\n', True), ('- {robot_parameters: 1}\n# ros__parameters: none\n', True),
+    ('/n:\n  ros_parameters: {a: 1}\n', False), ('/n:\n  ros__parametres: {a: 1}\n', False),
+    ('/n:\n\tros__parameters: {a: 1}\n', False), ('/n: {ros__parameters: {}}\narm: {solver: a}\n', False)])
+def test_what_a_folder_has_beside_parameter_files_is_passed_over(write, content, is_passed_over):
+    path = write(content)
+    findings = check_files(path, are_meant=False)
+    assert findings.no_parameter_files == (str(path),) * is_passed_over
+    assert bool(findings) is not is_passed_over
+    assert len(check_files(path)) >= 1
+
+
+def test_a_file_takes_a_time_in_proportion_to_its_length(write):
+    block = '/robot{0}/node:\n  ros__parameters:\n    rate: {0}\n    again: 1\n    again: 2\n'
+    seconds = []
+    for count in (500, 2000):
+        path = write('/**:\n  ros__parameters: {rate: 1.5}\n' + ''.join(map(block.format, range(count))))
+        before = time.process_time()
+        assert len(check_files(path)) == count
+        seconds.append(time.process_time() - before)
+    assert seconds[1] < 8 * seconds[0]

@@ -44,7 +44,8 @@ def check(session: Session, args: argparse.Namespace) -> int:
             if not found:
                 raise CommandFailed(f'nothing can be checked against {word}: no node of it was described')
             against.add(found)
-        findings = _check_launch(session, args, against) if args.launch else check_files(args.files, against)
+        findings = _check_launch(session, args, against) if args.launch else check_files(
+            args.files, against, are_meant=bool(against) or len(args.files) == 1)
     except (ParameterToolError, CommandFailed) as error:
         session.complain(error)
         return 2
@@ -52,9 +53,12 @@ def check(session: Session, args: argparse.Namespace) -> int:
         session.print(text)
     if findings.passed_over:
         session.complain(f'Not checked, because nothing is known of these nodes: {", ".join(findings.passed_over)}')
-    if findings.left_to_launch:
-        session.complain(f'Not checked, because launch fills them in where allow_substs says so: '
-                         f'{", ".join(findings.left_to_launch)}')
+    if left := findings.left_to_launch:
+        more = f' and {len(left) - 5} more' if len(left) > 5 else ''
+        session.complain(f'Not checked, because only launch fills in $(…), and only where allow_substs says so; '
+                         f'elsewhere the node gets the text: {", ".join(left[:5])}{more}')
+    for file in findings.no_parameter_files:
+        session.complain(f'{file}: not a parameter file, because it has no ros__parameters')
     return 1 if findings else 0
 
 

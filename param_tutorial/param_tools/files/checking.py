@@ -5,10 +5,11 @@ does not declare, and of two blocks the one that appeared last wins. ``check_fil
 them with descriptions of the nodes, and returns each mistake with its line and column.
 """
 
+import bisect
 import difflib
+import functools
 import re
-import unicodedata
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,11 +19,24 @@ from param_tools import values
 from param_tools.descriptor import is_housekeeping
 from param_tools.errors import nearest
 from param_tools.files import rcl_parser
+from param_tools.files.causes import LIST_BELOW, cause_of, looks_like_header, named_sign
 from param_tools.files.descriptions import DescribedParameter, Descriptions
-from param_tools.files.headers import cause_of
 from param_tools.files.node_names import flaw_of_block_name
-from param_tools.files.parameter_files import format_scalar, read_bytes
-from param_tools.files.parsing import KEY, Assignment, BlockStart, Entry, Parser, Place, effective, matches, typed
+from param_tools.files.parameter_files import format_scalar, lines_of, read_bytes
+from param_tools.files.parsing import (
+    KEY,
+    Assignment,
+    BlockStart,
+    Entry,
+    Parser,
+    Place,
+    Rejected,
+    Scalar,
+    effective,
+    matches,
+    remedy_of_nested,
+    typed,
+)
 from param_tools.values import ParameterType
 
 # What a finding is about, and whether the file surely does something else than it says.
@@ -33,8 +47,19 @@ KINDS = {
 }
 # An array of more characters is not written out in a remedy.
 _LONGEST_REMEDY = 100
+# rcl's own parser takes a time with the square of the length, and is not asked about more bytes.
+_MOST_FOR_RCL = 100_000
 # A minus before a number, quotes around a text, and blanks that can't be seen, all as web pages have them.
 _LOOKALIKE = re.compile('^[\u2010-\u2015\u2212](?=[\\d.])|^[\u2018-\u201f]|[\xa0\u200b-\u200d\u2060\ufeff]')
+_PLAIN = str.maketrans({**dict.fromkeys('\u2010\u2011\u2012\u2013\u2014\u2015\u2212', '-'), '\xa0': ' ',
+                        **dict.fromkeys('\u201c\u201d\u201e\u201f', '"'),
+                        **dict.fromkeys('\u2018\u2019\u201a\u201b', "'"),
+                        **dict.fromkeys('\u200b\u200c\u200d\u2060\ufeff')})
+# A number, and what is no part of it: a comment without a blank before it, C's, a unit, a comma.
+_GLUED = re.compile(r'([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(#.*|\s*//.*|\s*[,;]|[fF]|'
+                    r'\s+(?:[cmk]?m|[mu]?s|sec|k?Hz|rad|deg|°|k?g|%|V|A|N|Nm|(?:m|rad|deg)/s(?:\^?2)?))')
+# What neither rcl nor launch fills in.
+_UNFILLED = re.compile(r'\$\{\w+\}|\$[A-Z_]+\b|\$\((?:find|arg|optenv)\s[^)]*\)|\{\{.*?\}\}')
 
 
 @dataclass(frozen=True, order=True)
@@ -69,7 +94,9 @@ class Findings(tuple[FileFinding, ...]):
     passed_over: tuple[str, ...] = ()
     """The blocks that were not checked, because nothing is known of their nodes."""
     left_to_launch: tuple[str, ...] = ()
-    """The lines with something that a launch file fills in, each as ``file:line``, where that was not checked."""
+    """The lines with something that only a launch file fills in, each as ``file:line``: that was not checked."""
+    no_parameter_files: tuple[str, ...] = ()
+    """The files that were passed over, because nothing in them looks like a parameter file."""
 
     def text(self) -> str:
         """Return one line for each, as compilers write them."""
@@ -94,23 +121,27 @@ def _property(text: str) -> str:
     return _data(text).replace(':', '%3A').replace(',', '%2C')
 
 
-def check_files(paths: str | Path | Iterable[str | Path], against: Descriptions | None = None) -> Findings:
+def check_files(paths: str | Path | Iterable[str | Path], against: Descriptions | None = None, *,
+                are_meant: bool = True) -> Findings:
     """Find the mistakes in parameter files that a node gets together, in this order.
 
     :param paths: The files, as after ``--params-file``, or one.
     :param against: The nodes that the files are for. A block for another node is passed over, unless the description
         is complete or it looks like a typo. Without it, only what the files alone tell is checked.
+    :param are_meant: Each of them must be a parameter file. Otherwise they are what a folder has, and one without
+        ``ros__parameters`` is passed over.
     :raises ParameterFileError: a file cannot be opened.
     """
-    check = _Check(against or Descriptions())
+    check = _Check(against or Descriptions(), are_meant)
     for path in [paths] if isinstance(paths, (str, Path)) else paths:
         check.read(path)
     return check.findings()
 
 
 class _Check:
-    def __init__(self, against: Descriptions):
+    def __init__(self, against: Descriptions, are_meant: bool):
         self._against = against
+        self._are_meant = are_meant
         self._parser = Parser(tolerant=True)
         self._assignments: defaultdict[str, list[Assignment]] = defaultdict(list)
         """Those of each block."""
@@ -118,29 +149,42 @@ class _Check:
         self._accepted: list[str] = []
         self._reported: set[str] = set()
         self._found: dict[tuple[str, int, int, str, str], FileFinding] = {}
-        self._for_launch: set[tuple[str, int]] = set()
+        self._judged: set[Assignment] = set()
+        """Those that a described node would get."""
+        self._for_launch: dict[tuple[str, int], None] = {}
         """The lines of which launch replaces a part: $(var robot), in a file that is given with allow_substs=True."""
-        self._left_to_launch: set[tuple[str, int]] = set()
+        self._no_parameter_files: list[str] = []
 
     def read(self, path: str | Path) -> None:
         """Read a file, and note what rcl rejects in it."""
         content, file = read_bytes(path), str(path)
         self._files.append(file)
-        lines = content.decode('utf-8-sig', 'replace').splitlines()
-        self._for_launch |= {(file, number) for number, line in enumerate(lines, 1) if re.search(r'\$\([a-z]', line)}
-        before = len(self._parser.rejected)
+        lines = lines_of(content)
+        before, begun = len(self._parser.rejected), len(self._parser.starts)
         self._parser.parse(content, file)
         rejected = self._parser.rejected[before:]
-        starts = [start for start in self._parser.starts if start.file == file]
+        starts = self._parser.starts[begun:]
+        if not starts and not _mentions_header(lines, rejected):
+            if rejected and not self._are_meant:
+                self._no_parameter_files.append(file)
+                del self._parser.rejected[before:]
+                return
+            # One for each value would bury what is missing.
+            first = next((each for each in rejected if each.keys), None)
+            rejected = [each for each in rejected if not each.keys]
+            if first:
+                self._add(file, first.keys[0][1], 'no header',
+                          f'the file has no {KEY}, so rcl rejects it: a block begins with "/name_of_the_node:" or '
+                          f'"/**:", and below it, indented, {KEY}: and the parameters')
+        self._for_launch |= {(file, number): None for number, line in enumerate(lines, 1)
+                             if '$(' in line and re.search(r'\$\([a-z]', line)}
+        ends = [start.end.start for start in starts]
         for each in rejected:
-            place, reason = cause_of(each, starts)
-            if each.keys:
-                self._add(file, place, 'no header', reason)
-            else:
-                self._add(file, place, 'unreadable', f'rcl rejects the file here: {reason}')
+            place, reason, kind = cause_of(each, starts[:bisect.bisect_left(ends, each.place.start)][-1:], lines)
+            self._add(file, place, kind, reason if kind == 'no header' else f'rcl rejects the file here: {reason}')
         if not self._parser.rejected:
             self._accepted.append(file)
-        if not rejected and not starts:
+        if len(self._parser.rejected) == before and not starts:
             self._add(file, Place(), 'never matched', 'the file holds parameters for no node at all')
 
     def findings(self) -> Findings:
@@ -155,8 +199,8 @@ class _Check:
         self._check_unlikely()
         order = {file: number for number, file in enumerate(self._files)}
         found = Findings(sorted(self._found.values(), key=lambda each: (order[each.file], each.line, each.column)))
-        found.left_to_launch = tuple(f'{file}:{line}' for file, line in sorted(
-            self._left_to_launch, key=lambda each: (order[each[0]], each[1])))
+        found.left_to_launch = tuple(f'{file}:{line}' for file, line in self._for_launch)
+        found.no_parameter_files = tuple(self._no_parameter_files)
         if self._against:
             found.passed_over = tuple(name for name in self._parser.blocks if name not in self._reported
                                       and not any(matches(name, node) for node in self._against))
@@ -168,19 +212,26 @@ class _Check:
 
     def _ask_rcl(self) -> None:
         """Let rcl itself judge what was read without a rejection: its YAML library may be another one than Python's."""
+        files = [file for file in self._accepted if Path(file).is_file()]
+        if sum(Path(file).stat().st_size for file in files) > _MOST_FOR_RCL:
+            return
         if rejection := rcl_parser.first_rejection(self._accepted):
             index, reason = rejection
             line = re.search(r'line(?:_num)? (\d+)', reason)
-            self._add(self._accepted[index], Place(int(line[1]) if line else 1), 'unreadable',
-                      f'rcl rejects the file: {reason}')
+            lines = lines_of(read_bytes(self._accepted[index]))
+            # For what is not YAML rcl often names another line.
+            directives = (number for number, each in enumerate(lines, 1) if each.startswith('%'))
+            place = Place(next(directives, int(line[1]) if line else 1))
+            place, cause, kind = cause_of(Rejected(place, reason), (), lines)
+            self._add(self._accepted[index], place, kind, f'rcl rejects the file: {cause}')
 
     def _add(self, file: str, place: Place, kind: str, message: str, node: str = '', parameter: str = '') -> None:
-        if (file, place.line) in self._for_launch:
-            self._left_to_launch.add((file, place.line))
+        if (file, place.line) in self._for_launch and kind != 'not filled in':
             return
         key = (file, place.line, place.column, kind, parameter)
-        in_one_line = ''.join(char if char.isprintable() else ascii(char)[1:-1] for char in message)
-        self._found.setdefault(key, FileFinding(file, place.line, place.column, kind, in_one_line, node, parameter))
+        if not message.isprintable():
+            message = ''.join(char if char.isprintable() else ascii(char)[1:-1] for char in message)
+        self._found.setdefault(key, FileFinding(file, place.line, place.column, kind, message, node, parameter))
 
     # -- blocks -----------------------------------------------------------------------------------------
 
@@ -255,6 +306,7 @@ class _Check:
         value, name = assignment.value, assignment.name
         if assignment.is_damaged:
             return
+        self._judged.add(assignment)
         if value == []:
             self._add(assignment.file, assignment.place, 'wrong type',
                       f'{name} of {node}: an empty array has no type in a parameter file, so a node of rclpy does not '
@@ -276,10 +328,17 @@ class _Check:
     def _check_overridden(self) -> None:
         exact = ['/' + name.strip('/') for name in self._parser.blocks if '*' not in name]
         order = {each: number for number, each in enumerate(self._parser.assignments)}
+        # What is said once is left out: a file may name as many nodes as a block for all has parameters.
+        often = Counter(each.name for each in self._parser.assignments)
+        entries = {block: {entry.name: entry for entry in found} for block, found in self._parser.blocks.items()}
+        contested = {block: [each for each in found if often[each.name] > 1 or each.name not in entries[block]]
+                     for block, found in self._assignments.items()}
+        winner_of = functools.cache(_winner)
         for node in dict.fromkeys((*self._against, *exact)):
-            entries = effective(self._parser, node)
-            for loser in self._for(node):
-                winner = _winner(entries.get(loser.name))
+            blocks = self._parser.blocks_for(node)
+            for loser in (each for block in blocks for each in contested.get(block, ())):
+                winner = winner_of(next((entries[block][loser.name] for block in reversed(blocks)
+                                         if loser.name in entries[block]), None))
                 if winner is None:
                     self._add(loser.file, loser.name_place, 'overridden',
                               f'rcl loses {loser.name} of {node}, because a map of the same name follows', node,
@@ -293,25 +352,66 @@ class _Check:
     # -- what rcl reads otherwise than it looks ----------------------------------------------------------
 
     def _check_unlikely(self) -> None:
+        for start in self._parser.starts:
+            if start.header != KEY:
+                self._add(start.file, start.end, 'likely mistake',
+                          f'{start.header} is still {KEY} for rcl, which compares no more than the beginning: write '
+                          f'{KEY}, or a # before each line if {start.name} is not to get this', start.name)
+            if start.list_place and not self._parser.rejected:
+                self._add(start.file, start.list_place, 'likely mistake', LIST_BELOW, start.name)
         told = set()
         for each in self._parser.assignments:
             above, inner_header, _ = each.name.rpartition(f'{KEY}.')
             if inner_header and (each.file, each.block, above) not in told:
                 told.add((each.file, each.block, above))
                 self._add(each.file, each.name_place, 'likely mistake',
-                          f'{KEY} stands below another {KEY}, so {each.block} gets a parameter {each.name}: the block '
-                          f'of a node begins in the first column', each.block, each.name)
-            if each.is_nested and not self._parser.rejected:
+                          f'{KEY} stands below another {KEY}, so {each.block} gets a parameter {each.name}: '
+                          f'{"begin the block of a node in the first column" if above else "write it once"}',
+                          each.block, each.name)
+            if each.nested and not self._parser.rejected:
                 self._add(each.file, each.place, 'likely mistake',
-                          f'ROS has no lists of lists or of maps: rcl makes {each.name} = '
-                          f'{values.format_value(each.value, 60)} of this', each.block, each.name)
-            written = [(each.name, each.name_place), *((scalar.text, scalar.place) for scalar in each.scalars)]
-            for text, place in written:
-                # Quotes would say that the sign is meant.
-                if place.end - place.start == len(text) and (sign := _LOOKALIKE.search(text)):
-                    self._add(each.file, place, 'likely mistake',
-                              f'{each.name}: there is a {unicodedata.name(sign[0][0])} (U+{ord(sign[0][0]):04X}), as '
-                              f'on web pages, where YAML needs a plain sign', each.block, each.name)
+                          f'ROS has no lists of {each.nested}, and rcl makes {each.name} = '
+                          f'{values.format_value(each.value, 60)} of this: {remedy_of_nested(each.nested)}', each.block,
+                          each.name)
+            if each.is_array and not each.scalars and not each.is_damaged and each not in self._judged:
+                self._add(each.file, each.place, 'likely mistake',
+                          f'rcl gives the empty list {each.name} no type, so a node of rclpy has no value for it, and '
+                          f'one of rclcpp does not start: leave the line out', each.block, each.name)
+            self._check_sign(each, Scalar(each.name, each.name, each.name_place))
+            for scalar in each.scalars:
+                self._check_sign(each, scalar)
+                if type(scalar.value) is str and each not in self._judged:
+                    self._check_text(each, scalar)
+
+    def _check_sign(self, assignment: Assignment, scalar: Scalar) -> None:
+        """Find a sign that only looks like another. Quotes would say that it is meant."""
+        text, place = scalar.text, scalar.place
+        if not text.isascii() and place.end - place.start == len(text) and (sign := _LOOKALIKE.search(text)):
+            what = 'name' if scalar.place is assignment.name_place else 'text'
+            self._add(assignment.file, place, 'likely mistake',
+                      f'{assignment.name}: {named_sign(sign[0])} is in it, as on web pages, so rcl reads the {what} '
+                      f'{text!a}: write {text.translate(_PLAIN).strip()}', assignment.block, assignment.name)
+
+    def _check_text(self, assignment: Assignment, scalar: Scalar) -> None:
+        """Find a text that was meant to be a number, or to be filled in."""
+        text, place, name = scalar.text, scalar.place, assignment.name
+        if text[:1] in '+-.0123456789' and place.end - place.start == len(text) and (glued := _GLUED.fullmatch(text)):
+            rest = re.sub(r'^(#|//)\s*|[,;fF]$', '', glued[2].strip())
+            self._add(assignment.file, place, 'likely mistake',
+                      f'{name}: rcl reads {text!r} as a text, not as a number: write {glued[1]}'
+                      f'{f"  # {rest}" if rest else ""}', assignment.block, name)
+        elif ('$' in text or '{' in text) and (unfilled := _UNFILLED.search(text)):
+            is_ros1 = unfilled[0].startswith('$(')
+            who = 'launch of ROS 2 knows no' if is_ros1 else 'neither rcl nor launch fills in'
+            self._add(assignment.file, place, 'not filled in',
+                      f'{name}: {who} {unfilled[0]}, so {assignment.block} gets this text: write the value'
+                      f'{", or $(find-pkg-share …) or $(var …)" * is_ros1}', assignment.block, name)
+
+
+def _mentions_header(lines: Iterable[str], rejected: Iterable[Rejected]) -> bool:
+    """True if something in a file without blocks is like ``ros__parameters``."""
+    return (any('ros_' in line and re.match(r"""[^#]*\bros__?param\w*['"]?\s*:""", line) for line in lines)
+            or any(name[:1] in 'rR' and looks_like_header(name) for each in rejected for name, _ in each.keys))
 
 
 def _winner(entry: Entry | None) -> Assignment | None:

@@ -8,6 +8,7 @@ a reason, what rcl has no words for.
 returned as ``[]`` where rcl makes a parameter without a type of it, and other names without a value are rejected.
 """
 
+import codecs
 import contextlib
 import json
 import math
@@ -22,7 +23,7 @@ import yaml
 
 from param_tools import values
 from param_tools.errors import InvalidValueError, ParameterFileError
-from param_tools.files.headers import cause_of
+from param_tools.files.causes import cause_of
 from param_tools.files.parsing import KEY, Entry, Parser, Rejected, effective, typed
 
 _LINE_LENGTH = 100
@@ -71,9 +72,10 @@ def parse(path: str | Path) -> Parser:
     """
     parser = Parser()
     try:
-        parser.parse(read_bytes(path))
+        content = read_bytes(path)
+        parser.parse(content)
     except Rejected as rejected:
-        place, reason = cause_of(rejected, parser.starts)
+        place, reason, _ = cause_of(rejected, parser.starts, lines_of(content))
         raise ParameterFileError(f'{path}, line {place.line}: {reason}') from None
     return parser
 
@@ -87,6 +89,13 @@ def read_bytes(path: str | Path) -> bytes:
         return as_path(path).read_bytes()
     except OSError as error:
         raise ParameterFileError(f'cannot read {path}: {error.strerror or error}') from None
+
+
+def lines_of(content: bytes) -> list[str]:
+    """Return the lines of a file, whatever its encoding."""
+    is_wide = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+    # Not str.splitlines, for which more characters end a line than for YAML.
+    return re.split('\r\n?|\n', content.decode('utf-16' if is_wide else 'utf-8-sig', 'replace'))
 
 
 def as_path(path: str | Path) -> Path:

@@ -15,7 +15,7 @@ import sys
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import yaml
 
@@ -31,7 +31,10 @@ LOADER = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
 _TRUE = {'Y', 'y', 'yes', 'Yes', 'YES', 'true', 'True', 'TRUE', 'on', 'On', 'ON'}
 _FALSE = {'N', 'n', 'no', 'No', 'NO', 'false', 'False', 'FALSE', 'off', 'Off', 'OFF'}
 _SPECIAL = {'.nan', '.NaN', '.NAN', '.inf', '.Inf', '.INF', '+.inf', '+.Inf', '+.INF', '-.inf', '-.Inf', '-.INF'}
-# The C library, whose functions rcl reads numbers with.
+# Most scalars are a decimal number, of which C and Python make the same, or begin as no number does.
+_INTEGER, _DOUBLE = re.compile('-?(?:0|[1-9][0-9]{0,17})'), re.compile('-?[0-9]{1,15}[.][0-9]{0,15}')
+_NO_NUMBER = re.compile('[^-+.0-9iInN\\s]')
+# The C library, whose functions rcl reads the others with.
 _C = ctypes.CDLL('ucrtbase' if sys.platform == 'win32' else None, use_errno=True)
 _C.strtoll.restype = ctypes.c_longlong
 _C.strtod.restype = ctypes.c_double
@@ -44,6 +47,12 @@ def typed(text: str, quoted: bool) -> bool | int | float | str:
             return True
         if text in _FALSE:
             return False
+        if _INTEGER.fullmatch(text):
+            return int(text)
+        if _DOUBLE.fullmatch(text):
+            return float(text)
+        if _NO_NUMBER.match(text):
+            return text
         number = _as_a_whole(text, _C.strtoll, 0)  # 0x10 is 16 and 010 is 8
         if number is None:
             number = _as_a_whole(text.replace('.', '', 1) if text in _SPECIAL else text, _C.strtod)
@@ -65,8 +74,7 @@ def _as_a_whole(text: str, function: Any, *base: int) -> int | float | None:
 # -- what is read ---------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, order=True)
-class Place:
+class Place(NamedTuple):
     """Where something stands in a file. Lines and columns count from 1."""
 
     line: int = 1
@@ -77,8 +85,7 @@ class Place:
     """Characters before its end."""
 
 
-@dataclass(frozen=True)
-class Scalar:
+class Scalar(NamedTuple):
     """One value as it is written."""
 
     text: str
@@ -102,8 +109,8 @@ class Assignment:
     scalars: list[Scalar] = field(default_factory=list)
     is_damaged: bool = False
     """rcl rejects a part of it."""
-    is_nested: bool = False
-    """It is written as a list with a list or a map in it, of which rcl makes one list."""
+    nested: str = ''
+    """What stands in it as it is written, 'lists' or 'maps', though rcl makes one list of it; empty if nothing does."""
 
     @property
     def value(self) -> Any:
@@ -125,6 +132,10 @@ class BlockStart:
     place: Place
     end: Place
     """Where ``ros__parameters`` stands."""
+    header: str
+    """How that is written: rcl compares no more than its beginning."""
+    list_place: Place | None = None
+    """Where a list stands below it in place of parameters."""
 
 
 @dataclass(eq=False)
@@ -198,7 +209,8 @@ class Parser:
         """What was read so far, by the names of the blocks, in the order in which the names first appeared."""
         # The blocks for one node each, and those with wildcards: their numbers and names. A file may have thousands.
         self._exact: defaultdict[str, list[tuple[int, str]]] = defaultdict(list)
-        self._wild: list[tuple[int, str]] = []
+        # The latter by the last word, or by '*' if that is none.
+        self._wild: defaultdict[str, list[tuple[int, str]]] = defaultdict(list)
         # Where in each block the entries of a name are: a file may hold ten thousand.
         self._places: defaultdict[tuple[str, str], set[int]] = defaultdict(set)
         self.starts: list[BlockStart] = []
@@ -244,8 +256,9 @@ class Parser:
 
         :param node: Fully qualified name.
         """
-        wild = [each for each in self._wild if matches(each[1], node)]
-        return [name for _, name in sorted([*self._exact.get(node, ()), *wild])]
+        wild = [*self._wild.get(node.rpartition('/')[2], ()), *self._wild.get('*', ())]
+        return [name for _, name in sorted([*self._exact.get(node, ()),
+                                            *(each for each in wild if matches(each[1], node))])]
 
     def _parse(self, content: bytes) -> None:
         held: yaml.Event | None = None
@@ -301,15 +314,17 @@ class Parser:
     def _begin_sequence(self, place: Place) -> None:
         if self.expects_key:
             raise Rejected(place, 'a list cannot stand here; a parameter is a value or a list of values, never a list '
-                                  'of lists')
+                                  'of lists: write one list')
         is_inner, self.in_sequence = self.in_sequence, True
         if not self.in_parameters:
             self._object(place, f'a list cannot stand before {KEY}', self.node_keys)
             return
+        if not is_inner and self.depth == len(self.node_keys) + 2:
+            self.starts[-1].list_place = place
         self.item_type = None
         # A list in a list is read as if the outer one began anew.
         if is_inner and self.assignment:
-            self.assignment.is_nested = True
+            self.assignment.nested = 'lists'
         elif self.entry < len(self.block):
             self._assign(place, is_array=True)
 
@@ -354,7 +369,7 @@ class Parser:
             if self.in_sequence and self.assignment in entry.assignments:
                 # A map in a list: rcl gives the list the longer name.
                 self.assignment.name, self.assignment.name_place = entry.name, place
-                self.assignment.is_nested = True
+                self.assignment.nested = 'maps'
 
     def _node_key(self, name: str, place: Place) -> None:
         if not name.startswith(KEY):
@@ -372,14 +387,16 @@ class Parser:
                          f'digits and underscores between slashes, or * and ** for any')
         self.block_name = self.node_path
         self._enter(self.node_path)
-        self.starts.append(BlockStart(self.file, self.node_path, self.node_keys[-1][1], place))
+        self.starts.append(BlockStart(self.file, self.node_path, self.node_keys[-1][1], place, name))
         self._leave_node_key()
         self.in_parameters = True
 
     def _enter(self, name: str) -> None:
         """Go on in the block of a name, which may be a new one."""
         if name not in self.blocks:
-            (self._wild if '*' in name else self._exact[_with_slash(name)]).append((len(self.blocks), name))
+            last = name.rpartition('/')[2]
+            (self._exact[_with_slash(name)] if '*' not in name else self._wild['*' if '*' in last else last]).append(
+                (len(self.blocks), name))
         self.block = self.blocks.setdefault(name, [])
 
     def _select(self, name: str, place: Place) -> None:
@@ -424,12 +441,12 @@ class Parser:
             array.scalars.clear()
         array = array or entry.last(True, kind)
         if self.item_type is not kind or array is None:
-            remedy = ('write each of them with a dot' if {kind, self.item_type} == {int, float} else
-                      'put each of them into quotes if they are texts')
-            self._object(place, f'the elements of {entry.name} must all be of one type; {event.value!r} is '
-                                f'{values.describe_type(scalar.value)}, and those before it are not: {remedy}')
-            if self.assignment is not None:
-                self.assignment.is_damaged = True
+            before = self.assignment
+            if before is None or not (before.is_damaged and before.nested):
+                self._object(place, f'the elements of {entry.name} must all be of one type; {event.value!r} is '
+                                    f'{values.describe_type(scalar.value)}{_why_mixed(scalar, before)}')
+            if before is not None:
+                before.is_damaged = True
             return
         array.scalars.append(scalar)
 
@@ -440,6 +457,26 @@ class Parser:
         self.assignments.append(assignment)
         self.assignment = assignment if is_array else None
         return assignment
+
+
+def remedy_of_nested(nested: str) -> str:
+    """Return what to write in place of a list of 'lists' or of 'maps'."""
+    return 'write one list' if nested == 'lists' else 'give each map a name in place of its dash'
+
+
+def _why_mixed(scalar: Scalar, before: Assignment | None) -> str:
+    """Return of which type the elements before another are, and what to write."""
+    if before is None or not before.scalars:
+        return ', and those before it are not'
+    first = before.scalars[0]
+    reason = f', and {first.text!r} is {values.describe_type(first.value)}: '
+    if before.nested:
+        return f'{reason}ROS has no lists of {before.nested}, so {remedy_of_nested(before.nested)}'
+    if any(re.match(r'[-+]?0\d', each.text) for each in (*before.scalars, scalar)):
+        return f'{reason}leave out the zeros before them, or put each of them into quotes if they are texts'
+    if {type(scalar.value), before.kind} == {int, float}:
+        return f'{reason}write each of them with a dot, as in {float(first.value)}'
+    return f"{reason}put each of them into quotes if they are texts, as in '{scalar.text}'"
 
 
 def effective(parser: Parser, node: str) -> dict[str, Entry]:

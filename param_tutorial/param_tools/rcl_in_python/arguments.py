@@ -230,7 +230,7 @@ _TYPES = {bool: 'bool', int: 'integer', float: 'double', str: 'string'}
 def _in_words_of_rcl(rejected: Rejected) -> str:
     """Return why a file is rejected as rcl says it, where it has words for that."""
     reason, line = str(rejected), rejected.place.line
-    if found := re.match("the elements of .* must all be of one type; '(.*)' is an? ", reason):
+    if found := re.match("the elements of .* must all be of one type; '(.*?)' is an? ", reason):
         kind = _TYPES[type(typed(found[1], False))]
         return f"Sequence should be of same type. Value type '{kind}' do not belong at line_num {line}"
     return next((words.format(line) for ours, words in _WORDS if re.match(ours, reason)), f'{reason} at line {line}')
