@@ -51,6 +51,22 @@ def test_what_cannot_be_checked_has_a_status_of_its_own(ros, write, words, compl
     assert 'Traceback' not in stderr
 
 
+def test_of_several_files_those_that_are_no_parameter_files_are_passed_over(write):
+    good, other = write(GOOD, 'good.yaml'), write('arm:\n  solver: demo/Solver\n', 'kinematics.yaml')
+    assert run('check', good, other) == (
+        '', f'{other}: not a parameter file, because it has no ros__parameters\n', 0)
+    stdout, _, status = run('check', other)
+    assert stdout.startswith(f'{other}:1:1: no header: the file has no ros__parameters, so rcl rejects it: a block')
+    assert status == 1
+
+
+def test_what_only_launch_fills_in_is_named(write):
+    path = write(GOOD.replace('120', '$(var rpm)'))
+    stdout, stderr, status = run('check', path)
+    assert (stdout, status) == ('', 0)
+    assert stderr.endswith(f'elsewhere the node gets the text: {path}:3\n')
+
+
 def test_a_terminal_that_knows_only_ascii_gets_every_line(write):
     path = write('/lift:\n  ros__parameters:\n    größe_mm: 1\n    größe_mm: 2\n')
     done = subprocess.run([sys.executable, '-m', 'param_tools', 'check', path], capture_output=True, text=True,

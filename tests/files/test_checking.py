@@ -86,7 +86,8 @@ def test_what_users_write_is_left_alone(path):
 def test_what_a_launch_file_fills_in_is_named_and_not_judged(write):
     findings = check_files(FOR_LAUNCH, LIFT)
     assert findings == ()
-    assert findings.left_to_launch == tuple(f'{FOR_LAUNCH}:{line}' for line in (1, 3, 4, 7, 8, 9))
+    assert findings.left_to_launch == tuple(f'{FOR_LAUNCH}:{line}' for line in (1, 7, 9))
+    assert findings.substitutions == tuple(f'{FOR_LAUNCH}:{line}' for line in (1, 3, 4, 7, 8, 9))
     spoiled = write(FOR_LAUNCH.read_text().replace('steps: 40', 'steps: 45'))
     assert [(each.line, each.kind) for each in check_files(spoiled, LIFT)] == [(10, 'off the step')]
 

@@ -53,7 +53,7 @@ def check(session: Session, args: argparse.Namespace) -> int:
         session.print(text)
     if findings.passed_over:
         session.complain(f'Not checked, because nothing is known of these nodes: {", ".join(findings.passed_over)}')
-    if left := findings.left_to_launch:
+    if left := findings.left_to_launch if args.launch else findings.substitutions:
         more = f' and {len(left) - 5} more' if len(left) > 5 else ''
         session.complain(f'Not checked, because only launch fills in $(…), and only where allow_substs says so; '
                          f'elsewhere the node gets the text: {", ".join(left[:5])}{more}')

@@ -94,7 +94,9 @@ class Findings(tuple[FileFinding, ...]):
     passed_over: tuple[str, ...] = ()
     """The blocks that were not checked, because nothing is known of their nodes."""
     left_to_launch: tuple[str, ...] = ()
-    """The lines with something that only a launch file fills in, each as ``file:line``: that was not checked."""
+    """The lines with something that a launch file fills in, each as ``file:line``, where that was not checked."""
+    substitutions: tuple[str, ...] = ()
+    """All lines with such a thing, which other programs take as text."""
     no_parameter_files: tuple[str, ...] = ()
     """The files that were passed over, because nothing in them looks like a parameter file."""
 
@@ -153,6 +155,7 @@ class _Check:
         """Those that a described node would get."""
         self._for_launch: dict[tuple[str, int], None] = {}
         """The lines of which launch replaces a part: $(var robot), in a file that is given with allow_substs=True."""
+        self._left_to_launch: set[tuple[str, int]] = set()
         self._no_parameter_files: list[str] = []
 
     def read(self, path: str | Path) -> None:
@@ -199,7 +202,9 @@ class _Check:
         self._check_unlikely()
         order = {file: number for number, file in enumerate(self._files)}
         found = Findings(sorted(self._found.values(), key=lambda each: (order[each.file], each.line, each.column)))
-        found.left_to_launch = tuple(f'{file}:{line}' for file, line in self._for_launch)
+        found.left_to_launch, found.substitutions = (
+            tuple(f'{file}:{line}' for file, line in lines)
+            for lines in (filter(self._left_to_launch.__contains__, self._for_launch), self._for_launch))
         found.no_parameter_files = tuple(self._no_parameter_files)
         if self._against:
             found.passed_over = tuple(name for name in self._parser.blocks if name not in self._reported
@@ -227,6 +232,7 @@ class _Check:
 
     def _add(self, file: str, place: Place, kind: str, message: str, node: str = '', parameter: str = '') -> None:
         if (file, place.line) in self._for_launch and kind != 'not filled in':
+            self._left_to_launch.add((file, place.line))
             return
         key = (file, place.line, place.column, kind, parameter)
         if not message.isprintable():
