@@ -183,7 +183,12 @@ def generate_launch_description():
     return LaunchDescription([
         SetParameter('debug', True), robot('left', 10.0), robot('right', 'fast'),
         Node(package='p', executable='robot', namespace='', name='third', parameters=[
-            loaded, {'rate': 3.0}])])
+            loaded, {'rate': 3.0}]),
+        Node(package='p', executable='robot', namespace='', name='fourth',
+             additional_env={
+                 'speed': '2'},
+             parameters=[
+                 {'speed': 2}, loaded])])
 ''',
     'rates_launch.xml': '''<launch>
   <!-- the rate is in Hz -->
@@ -213,7 +218,8 @@ def generate_launch_description():
 @pytest.mark.parametrize(('file', 'places'), [
     ('rates_launch.py', {'/left debug': 16, '/left rate': 9, '/left size.width': 9, '/left size.depth': 10,
                          '/right debug': 16, '/right rate': 9, '/right size.width': 9, '/right size.depth': 10,
-                         '/third debug': 16, '/third speed': 17, '/third rate': 18}),
+                         '/third debug': 16, '/third speed': 17, '/third rate': 18,
+                         '/fourth debug': 16, '/fourth speed': 19}),
     ('rates_launch.xml', {'/left rate': 3, '/left size': 4, '/right debug': 5, '/right rate': 7, '/third debug': 5,
                           '/third rate': 'rates_launch.yaml:10', '/third size': 'rates_launch.yaml:9'}),
 ])

@@ -26,6 +26,8 @@ class Origin(NamedTuple):
     file: Path
     line: int | None
     """None if it is the same as in what launch has made of the file."""
+    number: int = 0
+    """Of a dictionary of parameters, its place in the list of them."""
     lines: Mapping[str, int] = {}
     """In a file that launch has read itself, the line of each parameter."""
     is_filled_in: bool = True
@@ -37,7 +39,8 @@ def written_here() -> Origin | None:
     frame: FrameType | None = sys._getframe(1)
     while frame is not None and (frame.f_code.co_filename.startswith('<')
                                  or PACKAGE in Path(frame.f_code.co_filename).parents):
-        frame = frame.f_back
+        # Above it stands who has started the launch.
+        frame = None if frame.f_code.co_name == 'carry_out' else frame.f_back
     return None if frame is None else Origin(Path(frame.f_code.co_filename), frame.f_lineno)
 
 

@@ -13,7 +13,7 @@ from types import ModuleType
 from typing import Any
 
 from param_tools.cli.index import provided_packages_installed
-from param_tools.cli.launch.context import PACKAGE, LaunchFailed, Origin, reject
+from param_tools.cli.launch.context import PACKAGE, LaunchFailed, Origin, blaming, reject
 from param_tools.cli.session import CommandFailed
 
 # The modules, and the names in each, that a launch file may import and use.
@@ -46,11 +46,12 @@ def running(what: str) -> Iterator[None]:
         try:
             yield
         except CommandFailed as error:
-            if isinstance(error, LaunchFailed) and (line := _line(error)):
-                error.origin = error.origin or Origin(Path(line.filename), line.lineno)
+            if isinstance(error, LaunchFailed):
+                error.origin = error.origin or _origin(error)
             raise
         except Exception as error:
-            raise LaunchFailed(_explanation(error, what)) from error
+            with blaming(_origin(error)):
+                raise LaunchFailed(_explanation(error, what)) from error
 
 
 def _packages() -> dict[str, None]:
@@ -65,17 +66,17 @@ def _explanation(error: Exception, what: str) -> str:
     # A package of ROS, or an option such as Node(cached_output=True).
     elif isinstance(error, ModuleNotFoundError) or 'unexpected keyword argument' in str(error):
         hint = '. Where that is right, the genuine `ros2 launch` has it (environment/README.md)'
-    line = _line(error)
-    place = f' ({Path(line.filename).name}, line {line.lineno})' if line else ''
+    origin = _origin(error)
+    place = f' ({origin.file.name}, line {origin.line})' if origin else ''
     return f'Caught exception when trying to load {what}: {type(error).__name__}: {error}{place}{hint}'
 
 
-def _line(error: Exception) -> traceback.FrameSummary | None:
+def _origin(error: Exception) -> Origin | None:
     """Return the line of the launch file that has raised an exception; None if the message says it, as of a typo."""
     lines = [each for each in traceback.extract_tb(error.__traceback__)
              if not Path(each.filename).is_relative_to(PACKAGE)]
     own = [each for each in lines if each.filename == lines[0].filename]
-    return own[-1] if own else None
+    return Origin(Path(own[-1].filename), own[-1].lineno) if own else None
 
 
 @contextlib.contextmanager

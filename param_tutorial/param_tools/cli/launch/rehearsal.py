@@ -251,7 +251,7 @@ class RehearsedLaunch:
             return str(origin.file), origin.lines.get(name, 0)
         if origin.line is None:
             return str(origin.file), line
-        return str(origin.file), _line_of_key(origin.file, origin.line, name) or origin.line
+        return str(origin.file), _line_of_key(origin, name) or origin.line
 
 
 def _written(file: str, line: int) -> str:
@@ -265,22 +265,26 @@ def _calls(source: bytes) -> list[ast.Call]:
     return sorted(found, key=lambda each: (each.end_lineno or 0) - each.lineno)
 
 
-def _line_of_key(file: Path, line: int, name: str) -> int:
-    """Return where the dictionary in a call names a parameter; 0 if none does, or more than one.
-
-    :param line: Where the call begins.
-    """
-    if file.suffix != '.py':
+def _line_of_key(origin: Origin, name: str) -> int:
+    """Return where the dictionary that a call is given writes out the name of a parameter; 0 if it does not."""
+    if origin.file.suffix != '.py':
         return 0
-    names = (name, name.rpartition('.')[2])
-    for call in _calls(file.read_bytes()):
-        if call.lineno != line:
-            continue
-        lines = [key.lineno for each in ast.walk(call) if isinstance(each, ast.Dict) for key in each.keys
-                 if isinstance(key, ast.Constant) and key.value in names]
-        if lines:
-            return lines[0] if len(lines) == 1 else 0
+    for call in _calls(origin.file.read_bytes()):
+        if call.lineno == origin.line:
+            given = next((each.value for each in call.keywords if each.arg == 'parameters'), None)
+            if isinstance(given, ast.List) and not any(isinstance(each, ast.Starred) for each in given.elts):
+                return dict(_keys(given.elts[origin.number], '')).get(name, 0)
     return 0
+
+
+def _keys(found: ast.expr, prefix: str) -> Iterator[tuple[str, int]]:
+    """Return the names that a dictionary writes out, each with its line."""
+    # What is unpacked into it may have any names.
+    if isinstance(found, ast.Dict) and None not in found.keys:
+        for key, value in zip(found.keys, found.values):
+            if isinstance(key, ast.Constant) and isinstance(key.value, str):
+                yield f'{prefix}{key.value}', key.lineno
+                yield from _keys(value, f'{prefix}{key.value}.')
 
 
 def _ros_options(words: Sequence[str]) -> Iterator[tuple[str, str]]:

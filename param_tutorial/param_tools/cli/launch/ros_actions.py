@@ -253,9 +253,9 @@ def parameter_words(parameters: Iterable[Any] | None, name: str | None, namespac
             words += ['-p', _rule(*each)]
     # The full name where the launch file gives it, and every node's where it does not.
     key = '/**' if name is None or namespace is None else f'{namespace.rstrip("/")}/{name}'
-    for source in parameters or ():
+    for number, source in enumerate(parameters or ()):
         if isinstance(source, Mapping):
-            place = source.origin if isinstance(source, Parameters) else origin
+            place = source.origin if isinstance(source, Parameters) else origin and origin._replace(number=number)
             with blaming(place):
                 given = flat(source, context)
             if is_component:
