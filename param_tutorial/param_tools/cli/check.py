@@ -12,6 +12,7 @@ from param_tools.cli.session import CommandFailed, Commands, Session, add_graph_
 from param_tools.errors import ParameterToolError
 from param_tools.files.checking import Findings, check_files
 from param_tools.files.descriptions import Descriptions
+from param_tools.files.sources import compare_source
 
 _FORMATS = {'text': Findings.text, 'github': Findings.as_github}
 
@@ -23,7 +24,7 @@ def add_to(commands: Commands) -> None:
 
 def _add_check_arguments(parser: argparse.ArgumentParser) -> None:
     add_graph_options(parser)
-    parser.add_argument('files', nargs='+', metavar='FILE',
+    parser.add_argument('files', nargs='*', metavar='FILE',
                         help='parameter files, in the order in which the nodes get them')
     parser.add_argument('--launch', action='store_true',
                         help='the words are those after `ros2 launch`: a launch file, or a package and a launch file, '
@@ -32,12 +33,18 @@ def _add_check_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--against', action='append', default=[], metavar='SOURCE',
                         help=f'what the files are for: {system_arguments.HELP} that `describe` has saved. May be given '
                              f'several times')
+    parser.add_argument('--source', type=Path, metavar='FOLDER',
+                        help='a package: say also which names in the files, by default all that it has, no '
+                             'declare_parameter in the text of its Python or C++ names, and which are in no file')
     parser.add_argument('--format', choices=_FORMATS, default='text', help='default: text')
-    parser.set_defaults(verb=check)
+    parser.set_defaults(verb=check, error=parser.error)
 
 
 def check(session: Session, args: argparse.Namespace) -> int:
+    if not args.files and args.source is None:
+        args.error('give a FILE, or --source FOLDER')
     try:
+        compared, notes = compare_source(args.source, args.files) if args.source else ([], [])
         against = Descriptions()
         for word in args.against:
             found = system_arguments.describe(session, word, args)
@@ -49,8 +56,11 @@ def check(session: Session, args: argparse.Namespace) -> int:
     except (ParameterToolError, CommandFailed) as error:
         session.complain(error)
         return 2
-    if text := _FORMATS[args.format](findings):
+    everything = Findings((*findings, *compared))
+    if text := _FORMATS[args.format](everything):
         session.print(text)
+    for note in notes:
+        session.complain(note)
     if findings.passed_over:
         session.complain(f'Not checked, because nothing is known of these nodes: {", ".join(findings.passed_over)}')
     if left := findings.left_to_launch if args.launch else findings.substitutions:
@@ -59,7 +69,7 @@ def check(session: Session, args: argparse.Namespace) -> int:
                          f'elsewhere the node gets the text: {", ".join(left[:5])}{more}')
     for file in findings.no_parameter_files:
         session.complain(f'{file}: not a parameter file, because it has no ros__parameters')
-    return 1 if findings else 0
+    return 1 if any(each.severity != 'notice' for each in everything) else 0
 
 
 def _check_launch(session: Session, args: argparse.Namespace, against: Descriptions) -> Findings:

@@ -44,6 +44,7 @@ KINDS = {
     'unreadable': 'error', 'no header': 'error', 'unknown node': 'error', 'never matched': 'error',
     'unknown parameter': 'error', 'wrong type': 'error', 'out of range': 'error', 'off the step': 'error',
     'not filled in': 'error', 'likely mistake': 'warning', 'duplicate': 'warning', 'overridden': 'warning',
+    'not declared': 'warning', 'in no file': 'notice',
 }
 # An array of more characters is not written out in a remedy.
 _LONGEST_REMEDY = 100
@@ -80,7 +81,7 @@ class FileFinding:
 
     @property
     def severity(self) -> str:
-        """'error' or 'warning'."""
+        """'error', 'warning', or 'notice' for what is no mistake."""
         return KINDS[self.kind]
 
     def __str__(self) -> str:

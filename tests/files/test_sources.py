@@ -1,0 +1,81 @@
+"""What the text of a package declares, beside what its parameter files hold."""
+
+import pytest
+
+from param_tools.errors import ParameterFileError
+from param_tools.files.sources import compare_source, read_source
+from tests.support.commands import run
+
+PYTHON = '''
+super().__init__('driver')
+self.declare_parameter('speed', 1.0)  # self.declare_parameter('old')
+self.declare_parameter(f'{side}.gain', value=("a", 'b'))
+self.declare_parameters('wheels', [('left', 1), ('right', 2)])
+'''
+CPP = '''
+// declare_parameter("older");
+this->declare_parameter<std::map<std::string, int>>("rate", 5);
+nav::declare_parameter_if_not_declared(node, plugin_name_ + ".tolerance", rclcpp::ParameterValue(0.5));
+node->declare_parameter(
+  std::string("frame"), "map");
+'''
+
+
+@pytest.fixture
+def package(tmp_path):
+    """Return a function that writes the files of a package, by name, and returns its folder."""
+    def write(**files):
+        for name, text in files.items():
+            path = tmp_path / 'arm' / name.replace('__', '/').replace('_dot_', '.')
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+        return tmp_path / 'arm'
+
+    return write
+
+
+def test_the_names_of_calls_in_python_and_cpp(package):
+    folder = package(a_dot_py=PYTHON, src__b_dot_cpp=CPP, test__c_dot_py="x.declare_parameter('t')")
+    declared = read_source(folder).declared
+    assert {name: (path.name, line) for name, (path, line) in declared.items()} == {
+        'speed': ('a.py', 3), '*.gain': ('a.py', 4), 'wheels.left': ('a.py', 5), 'wheels.right': ('a.py', 5),
+        'rate': ('b.cpp', 3), '*.tolerance': ('b.cpp', 4), 'frame': ('b.cpp', 5)}
+
+
+def test_files_and_source_are_compared_in_both_directions(package):
+    values = 'driver:\n  ros__parameters: {sped: 1.0, rate: 5, left.gain: 1, FollowPath: {tolerance: 1.0}}\n'
+    folder = package(a_dot_py=PYTHON, b_dot_cpp=CPP, config__c_dot_yaml=values + '/other: {ros__parameters: {x: 1}}\n')
+    stdout, stderr, status = run('check', '--source', folder)
+    lines = stdout.splitlines()
+    assert lines[0] == (f'{folder}/config/c.yaml:2:21: not declared: no declare_parameter in the text of {folder} '
+                        f'names sped, so probably no node reads it: remove the line, or write speed')
+    assert [line.partition(' is declared here')[0] for line in lines[1:]] == [
+        f'{folder}/{place}:1: in no file: {name}' for place, name in (
+            ('a.py:3', 'speed'), ('a.py:5', 'wheels.left'), ('a.py:5', 'wheels.right'), ('b.cpp:5', 'frame'))]
+    assert stderr == f'/other: not compared, because {folder} declares too few of its parameters\n'
+    assert status == 1
+    package(config__c_dot_yaml=values.replace('sped', 'speed'))
+    stdout, _, status = run('check', '--source', folder, '--format', 'github')
+    assert stdout.count('::notice ') == 3
+    assert status == 0
+
+
+@pytest.mark.parametrize('more', ['self.declare_parameter(name, 1)', 'Node(allow_undeclared_parameters=True)'])
+def test_what_the_text_does_not_tell_is_said_and_no_finding(package, more):
+    values = 'driver:\n  ros__parameters: {sped: 1.0, rate: 5}\n'
+    found, notes = compare_source(package(a_dot_py=f'{PYTHON}{more}\n', b_dot_cpp=CPP, c_dot_yaml=values))
+    assert {each.kind for each in found} == {'in no file'}
+    assert notes[0].endswith('so these may be declared, though no declare_parameter names them: sped')
+    assert 'a.py' in notes[0]
+
+
+def test_a_function_that_declares_for_its_callers_hides_nothing(package):
+    helper = 'template<typename T> void declare_parameter(const std::string & name, T value);\n'
+    values = '/**: {ros__parameters: {rate: 1, rat: 1}}'
+    found, notes = compare_source(package(b_dot_cpp=helper + CPP, c_dot_yaml=values))
+    assert ([each.parameter for each in found if each.kind == 'not declared'], notes) == (['rat'], [])
+
+
+def test_without_a_folder_nothing_is_compared(tmp_path):
+    with pytest.raises(ParameterFileError, match='is not a folder'):
+        compare_source(tmp_path / 'nowhere')
