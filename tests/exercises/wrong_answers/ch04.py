@@ -25,7 +25,7 @@ _SLIDER = "FloatSlider(value=client.get_parameter('max_speed_mps'), min=0.0, max
 
 WRONG = {
     '4a': [
-        ([(_PUBLISHER, f'{_COPY}{_PUBLISHER}')], 3, '`self.speed_mps` still holds the value of the start'),
+        ([(_PUBLISHER, f'{_COPY}{_PUBLISHER}')], 3, '`self.speed_mps` still holds the speed of the start'),
         ([(_PUBLISHER, f'{_COPY}{_PUBLISHER}'), (_SPEED, 'command.linear.x = self.speed_mps')], 3,
          'still uses a copy that was made before'),
         ([(_SPEED, 'command.linear.x = 0.5')], 1, 'it is 0.5'),
