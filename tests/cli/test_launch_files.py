@@ -299,6 +299,7 @@ def test_what_launch_hands_on_as_it_is_written_is_not_found(tmp_path, actions):
     ('rate: &r 30\ndeep:\n  er: *r', {'rate': '30', 'deep.er': '30'}),  # no header
     ('n: {ros__parameters: {a: 1}}\n/**: {ros__parameters: {a: 2, b: [0, 0.5]}}', {'a': '1', 'b': '[0.0, 0.5]'}),
     ('other: {ros__parameters: {a: 1}}', {}),
+    ('a: [1, true]', {'a': '[1, 1]'}),
 ])
 def test_a_component_gets_what_launch_ros_reads_for_it(tmp_path, content, given):
     lines = findings(tmp_path, "component(FILE, name='n')", content)
@@ -313,6 +314,7 @@ def test_a_component_gets_what_launch_ros_reads_for_it(tmp_path, content, given)
     ("component(FILE, name='n')", '/*: {ros__parameters: {a: 1}}', '1:1: never matched: launch ignores'),
     ('component(FILE)', 'n: {ros__parameters: {a: 1}}', ' never matched: launch gives a component without name='),
     ("component(FILE, name='n')", 'a: 1\nb: null', "2:1: unreadable: launch reads a component's file with Py"),
+    ("component(FILE, name='n')", 'n:\n  ros__parameters:', 'with PyYAML, and ends: nothing is below ros'),
     ("component(FILE, name='n')", 'a: 1\nb: [', "2:1: unreadable: launch reads a component's file with Py"),
     ("component(FILE, name='n')", 'a: 1\nb: $(env HOME)', '2:1: not filled in: /n gets this text as it stands'),
     ('node(FILE)', 'n: {ros__parameters: {a: "${HOME}/x"}}', 'Neither launch nor rcl replaces ${HOME}: write $(env'),
@@ -334,6 +336,7 @@ def test_what_a_file_of_a_launch_file_says_in_vain_is_found(tmp_path, actions, c
     ('<launch>\n <group ns="p"/></launch>', "2: launch rejects 'ns' in `group`, "),
     ('<launch>\n <let name="a" value="$(arg b)"/></launch>', '2: launch has no substitution $(arg b), which'),
     ('<launch>\n <let name="a" value="$(var b)"/></launch>', "2: launch configuration 'b' does not exist"),
+    ('<launch><node exec="e">\n <param name="a" from="b" allow_substs="yes!"/></node></launch>', '2: Cannot'),
     ('<launch><node exec="e">\n <param name="a" value="[1, 2.5]"/></node></launch>', '2: launch rejects the list'),
     ('launch:\n- node:\n    exec: e\n    param: [{name: a, value: [true, 2.5]}]', '4: launch rejects the list'),
 ])
@@ -343,6 +346,25 @@ def test_an_error_of_an_included_launch_file_names_its_file_and_line(tmp_path, w
     stdout, stderr, status = check(outer)
     assert (stdout, status) == ('', 2)
     assert stderr.startswith(f'{path}:{found}')
+
+
+@pytest.mark.parametrize(('actions', 'found'), [
+    ("node({'a': [{'b': 1}]})", "8: a: ROS has no lists of maps or of lists, and launch rejects [{'b': 1}]: give"),
+    ("component({'a': [[1, 2]]}, name='n')", '13: a: ROS has no lists of maps or of lists, and launch rejects'),
+    ("node(__import__('launch_ros').descriptions.ParameterFile('x', allow_substs='true'))", '18: ParameterFile takes'),
+    ("node(*__import__('yaml').safe_load('[{a: [[1.5]]}]'))", '8: a: ROS has no lists of maps or of lists, and launch'),
+])
+def test_what_launch_rejects_has_the_line_of_the_call(write, actions, found):
+    path = write(IMPORTS.replace('{}', actions), 'x_launch.py')
+    stdout, stderr, status = check(path)
+    assert (stdout, status) == ('', 2)
+    assert stderr.startswith(f'{path}:{found}')
+
+
+def test_a_launch_file_takes_functions_of_another_one(tmp_path):
+    (tmp_path / 'lib.py').write_text(IMPORTS)
+    lib = "__import__('launch').launch_description_sources.load_python_launch_file_as_module(__file__[:-11] + 'lib.py')"
+    assert findings(tmp_path, f"{lib}.node({{'rate': 1}})")[1] == '  rate: 1  lib.py:8'
 
 
 def test_an_option_that_has_another_name_since_galactic_is_named(tmp_path, write):

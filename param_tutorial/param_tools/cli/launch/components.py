@@ -39,22 +39,27 @@ _Loader.add_constructor('tag:yaml.org,2002:map', _map)
 
 def words_of_values(values: Mapping[str, Any], origin: Origin | None, context: Context) -> list[str]:
     """Write values as a parameter file of which rcl makes the same, and return the words that give it to a node."""
-    text = json.dumps({'/**': {KEY: values}}, ensure_ascii=False, indent=1)  # all texts are in quotes
+    # True after an integer is one. All texts are in quotes.
+    values = {name: [*map(type(found[0]), found)] if isinstance(found, (list, tuple)) else found
+              for name, found in values.items()}
+    text = json.dumps({'/**': {KEY: values}}, ensure_ascii=False, indent=1)
     return ['--params-file', str(context.write(text, origin))] if values else []
 
 
 def words_of_file(path: Path, name: str | None, namespace: str | None, context: Context) -> list[str]:
     """Return the words that give a node what a component of this name gets of a file."""
+    own = '/'.join((*(namespace or '').strip('/').split('/'), name or '')).lstrip('/')
     above = context.origins.get(str(path), Origin(path, None, is_filled_in=False))
     try:
         content = yaml.load(path.read_text(encoding='utf-8'), _Loader)
-        blocks = {found: (line, content) for found, line, content in _blocks(content, (), 0)}
+        blocks = {found: (line, below) for found, line, below in _blocks(content, (), 0)}
+        if own in blocks and None in (blocks[own][1], blocks.get('**', blocks[own])[1]):
+            raise ValueError(f'nothing is below {KEY}')
     except (ValueError, AttributeError, yaml.YAMLError) as error:
         mark = getattr(error, 'problem_mark', None)
         _warn(context, above, mark and mark.line + 1,
               f"launch reads a component's file with PyYAML, and ends: {getattr(error, 'problem', error)}")
         return []
-    own = '/'.join((*(namespace or '').strip('/').split('/'), name or '')).lstrip('/')
     chosen = _Map()
     chosen.lines = {}
     for block in [blocks[each][1] for each in ('**', own) if each in blocks] if blocks else [content]:

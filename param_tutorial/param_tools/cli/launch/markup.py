@@ -268,10 +268,9 @@ def _parameter(entity: Entity) -> Any:
     path = entity.take('from')
     if path is None:
         return Parameters(_named_value(entity), entity.origin)
-    allows = entity.take('allow_substs')
+    allows = _flag(entity, 'allow_substs')
     entity.end()
-    return ParameterFile(_text(entity, path), allow_substs=(
-        allows if isinstance(allows, bool) else False if allows is None else _text(entity, allows)))
+    return ParameterFile(_text(entity, path), allow_substs=bool(allows))
 
 
 def _named_value(entity: Entity) -> dict[Any, Any]:

@@ -12,10 +12,11 @@ from typing import Any, get_args
 import yaml
 
 from param_tools.cli.launch.context import Context, LaunchFailed, Origin
-from param_tools.cli.launch.substitutions import is_substitution, perform, typed_bool
+from param_tools.cli.launch.substitutions import is_substitution, perform
 from param_tools.cli.launch.text import parse_text
 
-_SCALARS = (bool, int, float, str)
+_NUMBERS = (bool, int, float)
+_SCALARS = (*_NUMBERS, str)
 
 
 class Parameters(dict[Any, Any]):
@@ -53,6 +54,10 @@ def parameter_value(name: str, value: Any, context: Context) -> Any:
         given = perform(content, context)
         found = _read(given, wanted)
     elif isinstance(content, (list, tuple)):
+        parts = [part for item in content for part in (item if isinstance(item, (list, tuple)) else [])]
+        if any(isinstance(each, Mapping) for each in content) or any(isinstance(each, _NUMBERS) for each in parts):
+            raise LaunchFailed(f'{name}: ROS has no lists of maps or of lists, and launch rejects {content!r}: give '
+                               f'each element a name, such as {name}.first')
         item_type, = get_args(wanted) or (None,)
         found = [item if isinstance(item, _SCALARS) else _read(perform(item, context), item_type) for item in content]
         if {type(item) for item in found} == {int, float}:
@@ -84,6 +89,9 @@ def _fits(value: Any, wanted: Any) -> bool:
     """True for a scalar or a list of scalars of one type: the wanted one, if that is said."""
     items = value if isinstance(value, list) else [value]
     types = {type(item) for item in items}
+    # As in launch_ros, where True after an integer is one.
+    if wanted is None and items and type(items[0]) is int and all(isinstance(item, int) for item in items):
+        return True
     if wanted is not None and (bool(get_args(wanted)) is not isinstance(value, list)
                                or types != {*(get_args(wanted) or [wanted])}):
         return False
@@ -95,12 +103,16 @@ class ParameterFile:
     """A parameter file; with ``allow_substs=True`` it may hold substitutions, such as ``$(var name)``."""
 
     param_file: Any
-    allow_substs: Any = field(default=False, kw_only=True)
+    allow_substs: bool = field(default=False, kw_only=True)
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.allow_substs, bool):
+            raise LaunchFailed(f'ParameterFile takes True or False for allow_substs, not {self.allow_substs!r}')
 
     def evaluate(self, context: Context) -> Path:
         """Return the path of a file without substitutions."""
         path = self.param_file if isinstance(self.param_file, Path) else Path(perform(self.param_file, context))
-        if not typed_bool(self.allow_substs, context):
+        if not self.allow_substs:
             return path
         try:
             text = path.read_text(encoding='utf-8')

@@ -22,6 +22,14 @@ def _events(names: str) -> dict[str, Any]:
     return {name: type(name, (Event,), {}) for name in names.split()}
 
 
+def _load_module(path: str) -> ModuleType:
+    """Return the functions of another launch file in Python."""
+    module = ModuleType('python_launch_file')
+    module.__file__ = path
+    exec(compile(Path(path).read_text(encoding='utf-8'), path, 'exec'), module.__dict__)
+    return module
+
+
 _MODULES: dict[str, dict[str, Any]] = {
     'launch': {'LaunchContext': Context, 'LaunchDescription': LaunchDescription,
                'LaunchDescriptionEntity': actions.Action, 'Substitution': substitutions.Substitution},
@@ -33,8 +41,9 @@ _MODULES: dict[str, dict[str, Any]] = {
         'IfCondition LaunchConfigurationEquals LaunchConfigurationNotEquals UnlessCondition')),
     'launch.event_handlers': _events('OnProcessExit OnShutdown'),
     'launch.events': _events('Shutdown matches_action'),
-    'launch.launch_description_sources': dict.fromkeys(
-        ('AnyLaunchDescriptionSource', 'PythonLaunchDescriptionSource'), LaunchFileSource),
+    'launch.launch_description_sources': {
+        'AnyLaunchDescriptionSource': LaunchFileSource, 'PythonLaunchDescriptionSource': LaunchFileSource,
+        'load_python_launch_file_as_module': _load_module},
     'launch.substitutions': _named(substitutions, (
         'AndSubstitution Command EnvironmentVariable EqualsSubstitution FileContent FindExecutable '
         'IfElseSubstitution LaunchConfiguration NotEqualsSubstitution NotSubstitution PathJoinSubstitution '
@@ -56,7 +65,7 @@ MODULES.update(_MODULES)
 MODULES.update({f'{module}.{re.sub("(?<!^)(?=[A-Z])", "_", name).lower()}': {name: found}
                 for module in ('launch', 'launch.actions', 'launch.conditions', 'launch.launch_description_sources',
                                'launch.substitutions', 'launch_ros.actions', 'launch_ros.descriptions')
-                for name, found in _MODULES[module].items()})
+                for name, found in _MODULES[module].items() if name[0].isupper()})
 
 
 def load_description(path: Path) -> LaunchDescription:
@@ -66,9 +75,8 @@ def load_description(path: Path) -> LaunchDescription:
 
 
 def _load_python(path: Path) -> LaunchDescription:
-    scope: dict[str, Any] = {'__name__': path.stem, '__file__': str(path)}
     with running(f'file of format [{path.suffix[1:]}]'):
-        exec(compile(path.read_text(encoding='utf-8'), str(path), 'exec'), scope)
+        scope = vars(_load_module(str(path)))
         if 'generate_launch_description' not in scope:
             raise LaunchFailed(f'launch file at {path} does not contain a required function '
                                f"'generate_launch_description()'")

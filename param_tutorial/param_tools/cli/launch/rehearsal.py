@@ -234,6 +234,9 @@ class RehearsedLaunch:
 
         message = re.sub(rf'line (\d+) of ({re.escape(str(self._context.folder))}\S+?)(?=[,;:)]|$)', written,
                          finding.message)
+        if finding.file in self._given:
+            message = re.sub('^rcl rejects the file here: this is not YAML: ([^.]*).*',
+                             r'rcl rejects this value, which is no YAML: \1', message)
         path, line = self._place(finding.file, finding.line, finding.parameter)
         origin = self._context.origins.get(finding.file)
         is_kept = path == finding.file if origin is None else origin.line is None and not origin.lines

@@ -265,7 +265,8 @@ def parameter_words(parameters: Iterable[Any] | None, name: str | None, namespac
         else:
             path = (source if isinstance(source, ParameterFile) else ParameterFile(source)).evaluate(context)
             if not path.is_file():
-                context.warn(f'Parameter file path is not a file: {path}', origin)
+                hint = '; launch does not expand ~: use os.path.expanduser' if str(path).startswith('~') else ''
+                context.warn(f'Parameter file path is not a file: {path}{hint}', origin)
                 continue
             if is_component:
                 words += components.words_of_file(path, name, namespace, context)
