@@ -404,6 +404,13 @@ def test_what_a_folder_has_beside_parameter_files_is_passed_over(write, content,
     assert len(check_files(path)) >= 1
 
 
+def test_a_list_of_many_maps_is_found_in_a_short_sentence(write):
+    path = write('/n:\n  ros__parameters:\n    a:\n' + ''.join(f'    - key_{number}: x\n' for number in range(3000)))
+    finding, = check_files(path)
+    assert 'rcl makes a.key_0.key_1.' in finding.message
+    assert len(finding.message) < 300
+
+
 def test_a_file_takes_a_time_in_proportion_to_its_length(write):
     block = '/robot{0}/node:\n  ros__parameters:\n    rate: {0}\n    again: 1\n    again: 2\n'
     seconds = []

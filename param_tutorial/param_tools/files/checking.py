@@ -377,14 +377,15 @@ class _Check:
                           each.block, each.name)
             if each.nested and not self._parser.rejected:
                 self._add(each.file, each.place, 'likely mistake',
-                          f'ROS has no lists of {each.nested}, and rcl makes {each.name} = '
+                          f'ROS has no lists of {each.nested}, and rcl makes {_shortened(each.name)} = '
                           f'{values.format_value(each.value, 60)} of this: {remedy_of_nested(each.nested)}', each.block,
                           each.name)
             if each.is_array and not each.scalars and not each.is_damaged and each not in self._judged:
                 self._add(each.file, each.place, 'likely mistake',
                           f'rcl gives the empty list {each.name} no type, so a node of rclpy has no value for it, and '
                           f'one of rclcpp does not start: leave the line out', each.block, each.name)
-            self._check_sign(each, Scalar(each.name, each.name, each.name_place))
+            if not each.name.isascii():
+                self._check_sign(each, Scalar(each.name, each.name, each.name_place))
             for scalar in each.scalars:
                 self._check_sign(each, scalar)
                 if type(scalar.value) is str and each not in self._judged:
@@ -419,6 +420,10 @@ def _mentions_header(lines: Iterable[str], rejected: Iterable[Rejected]) -> bool
     """True if something in a file without blocks is like ``ros__parameters``."""
     return (any('ros_' in line and re.match(r"""[^#]*\bros__?param\w*['"]?\s*:""", line) for line in lines)
             or any(name[:1] in 'rR' and looks_like_header(name) for each in rejected for name, _ in each.keys))
+
+
+def _shortened(name: str) -> str:
+    return name if len(name) <= 60 else f'{name[:60]}…'
 
 
 def _winner(entry: Entry | None) -> Assignment | None:

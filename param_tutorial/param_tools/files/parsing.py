@@ -23,6 +23,8 @@ from param_tools import values
 from param_tools.files.node_names import flaw_of_block_name
 
 KEY = 'ros__parameters'
+# In a list of maps each map makes a name longer. A tolerant parser need not know the whole of a name of thousands.
+_LONGEST_NAME = 5_000
 # libyaml is what rcl uses; PyYAML's own parser differs from it in corners, but is always there.
 LOADER = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
 
@@ -94,7 +96,7 @@ class Scalar(NamedTuple):
     place: Place
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, slots=True)
 class Assignment:
     """A name and a value in a file."""
 
@@ -123,7 +125,7 @@ class Assignment:
         return type(self.scalars[0].value) if self.scalars else None
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, slots=True)
 class BlockStart:
     """The head of a block: a node's name, or a pattern for such names, and ``ros__parameters`` below it."""
 
@@ -138,7 +140,7 @@ class BlockStart:
     """Where a list stands below it in place of parameters."""
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, slots=True)
 class Entry:
     """One parameter of a block, with all that the files say about it."""
 
@@ -283,19 +285,19 @@ class Parser:
         self.rejected.append(rejected)
 
     def _handle(self, event: yaml.Event, place: Place) -> None:
-        if isinstance(event, yaml.AliasEvent):
-            reason = f'ROS reads no aliases: write the value itself instead of *{event.anchor}'
-            if self.expects_key:
-                raise Rejected(place, reason)
-            self._object(place, reason)
-            self.expects_key = not self.in_sequence
-        elif isinstance(event, yaml.ScalarEvent):
+        if isinstance(event, yaml.ScalarEvent):
             if self.expects_key:
                 self._key(event, place)
                 self.expects_key = False
             else:
                 self._value(event, place)
                 self.expects_key = not self.in_sequence
+        elif isinstance(event, yaml.MappingStartEvent):
+            self.depth += 1
+            self.expects_key = True
+            self.is_new_map = not (self.in_parameters and self.depth - len(self.node_keys) == 3)
+        elif isinstance(event, yaml.MappingEndEvent):
+            self._leave_mapping()
         elif isinstance(event, yaml.SequenceStartEvent):
             self._begin_sequence(place)
         elif isinstance(event, yaml.SequenceEndEvent):
@@ -304,12 +306,12 @@ class Parser:
                 self._leave_node_key()
             else:
                 self.assignment = None
-        elif isinstance(event, yaml.MappingStartEvent):
-            self.depth += 1
-            self.expects_key = True
-            self.is_new_map = not (self.in_parameters and self.depth - len(self.node_keys) == 3)
-        elif isinstance(event, yaml.MappingEndEvent):
-            self._leave_mapping()
+        elif isinstance(event, yaml.AliasEvent):
+            reason = f'ROS reads no aliases: write the value itself instead of *{event.anchor}'
+            if self.expects_key:
+                raise Rejected(place, reason)
+            self._object(place, reason)
+            self.expects_key = not self.in_sequence
 
     def _begin_sequence(self, place: Place) -> None:
         if self.expects_key:
@@ -363,6 +365,8 @@ class Parser:
         else:
             self._select(self.parameter_path, place)
             entry = self.block[self.entry]
+            if self._tolerant and len(entry.name) > _LONGEST_NAME:
+                return
             self._places[self.block_name, entry.name].remove(self.entry)
             entry.name, entry.place = f'{self.parameter_path}.{name}', place
             self._places[self.block_name, entry.name].add(self.entry)
