@@ -352,6 +352,9 @@ def test_an_error_of_an_included_launch_file_names_its_file_and_line(tmp_path, w
     ("node({'a': [{'b': 1}]})", "8: a: ROS has no lists of maps or of lists, and launch rejects [{'b': 1}]: give"),
     ("component({'a': [[1, 2]]}, name='n')", '13: a: ROS has no lists of maps or of lists, and launch rejects'),
     ("node(__import__('launch_ros').descriptions.ParameterFile('x', allow_substs='true'))", '18: ParameterFile takes'),
+    ("node(), component(name='a b')", '13: Invalid node name'),
+    ("node({'a': __import__('launch').substitutions.PythonExpression('[')})", '8: the expression'),
+    ("node(__import__('launch_ros').substitutions.FindPackageShare('-'))", "8: '-' is not"),
     ("node(*__import__('yaml').safe_load('[{a: [[1.5]]}]'))", '8: a: ROS has no lists of maps or of lists, and launch'),
 ])
 def test_what_launch_rejects_has_the_line_of_the_call(write, actions, found):

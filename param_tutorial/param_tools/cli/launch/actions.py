@@ -47,8 +47,15 @@ class Action:
     def visit(self, context: Context) -> list[Program]:
         """Carry out the action if its condition is true, and return the programs to start."""
         with blaming(self.origin):
-            if self.condition is None or self.condition.evaluate(context):
-                return self.execute(context) or []
+            try:
+                if self.condition is None or self.condition.evaluate(context):
+                    return self.execute(context) or []
+            except LaunchFailed:
+                raise
+            except CommandFailed as error:  # no such package, no such program
+                raise LaunchFailed(error) from error
+            except (TypeError, ValueError) as error:  # a null character in a path, for example
+                raise LaunchFailed(f'{type(error).__name__}: {error}') from error
         return []
 
     def execute(self, context: Context) -> list[Program] | None:
@@ -179,14 +186,7 @@ class LaunchDescription(Action):
         if self.deprecated_reason is not None:
             context.log('WARNING', 'launch',
                         f'launch file [{context.launch_file}] is deprecated: {self.deprecated_reason}')
-        try:
-            return visit_all(self.entities, context)
-        except LaunchFailed:
-            raise
-        except CommandFailed as error:  # no such package, no such program
-            raise LaunchFailed(error) from error
-        except (TypeError, ValueError) as error:  # a null character in a path, for example
-            raise LaunchFailed(f'{type(error).__name__}: {error}') from error
+        return visit_all(self.entities, context)
 
     def declared_arguments(self) -> Iterator[DeclaredArgument]:
         yield from _declared_in(self.entities, self.condition is not None)

@@ -162,10 +162,11 @@ class ComposableNode:
         if self.condition is not None and not self.condition.evaluate(context):
             return []
         plugin = perform(self.plugin, context)
-        name, namespace = full_name(self.name, self.namespace, context)
-        words = [*context.find_program(perform(self.package, context), plugin), '--ros-args',
-                 *_name_words(name, namespace),
-                 *parameter_words(self.parameters, name, namespace, self.origin, context, is_component=True)]
+        with blaming(self.origin):
+            name, namespace = full_name(self.name, self.namespace, context)
+            words = [*context.find_program(perform(self.package, context), plugin), '--ros-args',
+                     *_name_words(name, namespace),
+                     *parameter_words(self.parameters, name, namespace, self.origin, context, is_component=True)]
         return [Program(words, plugin, False, False)]
 
 
