@@ -42,6 +42,7 @@ def test_what_a_running_node_declares_is_saved_and_checked_against(ros, write, t
     (['FILE', '--against', 'FILE'], 'it is no saved description'),
     (['FILE', '--against', 'nowhere.yaml'], 'cannot read nowhere.yaml'),
     (['FILE', '--format', 'xml'], "invalid choice: 'xml'"),
+    (['x_launch.py', '--launch', '--source', '.'], 'takes no launch file'),
     ([], 'give a FILE, or --source FOLDER'),
 ])
 def test_what_cannot_be_checked_has_a_status_of_its_own(ros, write, words, complaint):

@@ -76,6 +76,15 @@ def test_a_function_that_declares_for_its_callers_hides_nothing(package):
     assert ([each.parameter for each in found if each.kind == 'not declared'], notes) == (['rat'], [])
 
 
+def test_a_file_that_rcl_rejects_is_compared_as_far_as_it_can_be_read(package):
+    values = '/**: {ros__parameters: {rate: 1, rat: 1, frame: [1, a]}}'
+    folder = package(b_dot_cpp=CPP, c_dot_yaml=values, d_dot_yaml='a: 1')
+    found, notes = compare_source(folder)
+    assert [each.parameter for each in found if each.kind == 'not declared'] == ['rat']
+    assert notes == [f'{folder}/c.yaml: compared as far as it can be read, because rcl rejects it; `check '
+                     f'{folder}/c.yaml` says why']
+
+
 def test_without_a_folder_nothing_is_compared(tmp_path):
     with pytest.raises(ParameterFileError, match='is not a folder'):
         compare_source(tmp_path / 'nowhere')

@@ -43,6 +43,8 @@ def _add_check_arguments(parser: argparse.ArgumentParser) -> None:
 def check(session: Session, args: argparse.Namespace) -> int:
     if not args.files and args.source is None:
         args.error('give a FILE, or --source FOLDER')
+    if args.launch and args.source:
+        args.error('--source compares parameter files, and takes no launch file')
     try:
         compared, notes = compare_source(args.source, args.files) if args.source else ([], [])
         against = Descriptions()

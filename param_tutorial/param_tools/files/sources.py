@@ -88,17 +88,20 @@ def compare_source(folder: Path, paths: Iterable[str | Path] = ()) -> tuple[list
         sentences: blocks of which the source declares nothing are for nodes of other packages.
     :raises ParameterFileError: the folder or a file cannot be read.
     """
-    source, parser = read_source(folder), Parser(tolerant=True)
+    source, parser, notes = read_source(folder), Parser(tolerant=True), []
     for path in paths or _files(folder, {'.yaml', '.yml'}):
         parser.parse(read_bytes(path), str(path))
+        if parser.rejected and any(start.file == str(path) for start in parser.starts):
+            notes.append(f'{path}: compared as far as it can be read, because rcl rejects it; `check {path}` says why')
+        parser.rejected.clear()
     by_block: dict[str, list[str]] = {name: [] for name in parser.blocks}
     for each in parser.assignments:
         by_block[each.block].append(each.name)
     # A file may configure nodes of other packages, too, of which a name or two may occur here.
     ours = {block for block, names in by_block.items() if block.rpartition('/')[2] in source.literals
             or 2 * sum(map(source.names, names)) >= len(names)}
-    notes = [f'{block}: not compared, because {folder} declares too few of its parameters'
-             for block in parser.blocks if block not in ours]
+    notes += [f'{block}: not compared, because {folder} declares too few of its parameters'
+              for block in parser.blocks if block not in ours]
     exact = [name for name in source.declared if '*' not in name]
     unknown = [each for each in parser.assignments if each.block in ours and not source.names(each.name)]
     found = []
