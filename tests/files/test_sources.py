@@ -24,18 +24,17 @@ node->declare_parameter(
 @pytest.fixture
 def package(tmp_path):
     """Return a function that writes the files of a package, by name, and returns its folder."""
-    def write(**files):
+    def write(files):
         for name, text in files.items():
-            path = tmp_path / 'arm' / name.replace('__', '/').replace('_dot_', '.')
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
-        return tmp_path / 'arm'
+            (tmp_path / name).parent.mkdir(exist_ok=True)
+            (tmp_path / name).write_text(text)
+        return tmp_path
 
     return write
 
 
 def test_the_names_of_calls_in_python_and_cpp(package):
-    folder = package(a_dot_py=PYTHON, src__b_dot_cpp=CPP, test__c_dot_py="x.declare_parameter('t')")
+    folder = package({'a.py': PYTHON, 'src/b.cpp': CPP, 'test/c.py': "x.declare_parameter('t')"})
     declared = read_source(folder).declared
     assert {name: (path.name, line) for name, (path, line) in declared.items()} == {
         'speed': ('a.py', 3), '*.gain': ('a.py', 4), 'wheels.left': ('a.py', 5), 'wheels.right': ('a.py', 5),
@@ -44,7 +43,7 @@ def test_the_names_of_calls_in_python_and_cpp(package):
 
 def test_files_and_source_are_compared_in_both_directions(package):
     values = 'driver:\n  ros__parameters: {sped: 1.0, rate: 5, left.gain: 1, FollowPath: {tolerance: 1.0}}\n'
-    folder = package(a_dot_py=PYTHON, b_dot_cpp=CPP, config__c_dot_yaml=values + '/other: {ros__parameters: {x: 1}}\n')
+    folder = package({'a.py': PYTHON, 'b.cpp': CPP, 'config/c.yaml': values + '/other: {ros__parameters: {x: 1}}\n'})
     stdout, stderr, status = run('check', '--source', folder)
     lines = stdout.splitlines()
     assert lines[0] == (f'{folder}/config/c.yaml:2:21: not declared: no declare_parameter in the text of {folder} '
@@ -54,7 +53,7 @@ def test_files_and_source_are_compared_in_both_directions(package):
             ('a.py:3', 'speed'), ('a.py:5', 'wheels.left'), ('a.py:5', 'wheels.right'), ('b.cpp:5', 'frame'))]
     assert stderr == f'/other: not compared, because {folder} declares too few of its parameters\n'
     assert status == 1
-    package(config__c_dot_yaml=values.replace('sped', 'speed'))
+    package({'config/c.yaml': values.replace('sped', 'speed')})
     stdout, _, status = run('check', '--source', folder, '--format', 'github')
     assert stdout.count('::notice ') == 3
     assert status == 0
@@ -63,7 +62,7 @@ def test_files_and_source_are_compared_in_both_directions(package):
 @pytest.mark.parametrize('more', ['self.declare_parameter(name, 1)', 'Node(allow_undeclared_parameters=True)'])
 def test_what_the_text_does_not_tell_is_said_and_no_finding(package, more):
     values = 'driver:\n  ros__parameters: {sped: 1.0, rate: 5}\n'
-    found, notes = compare_source(package(a_dot_py=f'{PYTHON}{more}\n', b_dot_cpp=CPP, c_dot_yaml=values))
+    found, notes = compare_source(package({'a.py': f'{PYTHON}{more}\n', 'b.cpp': CPP, 'c.yaml': values}))
     assert {each.kind for each in found} == {'in no file'}
     assert notes[0].endswith('so these may be declared, though no declare_parameter names them: sped')
     assert 'a.py' in notes[0]
@@ -72,13 +71,13 @@ def test_what_the_text_does_not_tell_is_said_and_no_finding(package, more):
 def test_a_function_that_declares_for_its_callers_hides_nothing(package):
     helper = 'template<typename T> void declare_parameter(const std::string & name, T value);\n'
     values = '/**: {ros__parameters: {rate: 1, rat: 1}}'
-    found, notes = compare_source(package(b_dot_cpp=helper + CPP, c_dot_yaml=values))
+    found, notes = compare_source(package({'b.cpp': helper + CPP, 'c.yaml': values}))
     assert ([each.parameter for each in found if each.kind == 'not declared'], notes) == (['rat'], [])
 
 
 def test_a_file_that_rcl_rejects_is_compared_as_far_as_it_can_be_read(package):
     values = '/**: {ros__parameters: {rate: 1, rat: 1, frame: [1, a]}}'
-    folder = package(b_dot_cpp=CPP, c_dot_yaml=values, d_dot_yaml='a: 1')
+    folder = package({'b.cpp': CPP, 'c.yaml': values, 'd.yaml': 'a: 1'})
     found, notes = compare_source(folder)
     assert [each.parameter for each in found if each.kind == 'not declared'] == ['rat']
     assert notes == [f'{folder}/c.yaml: compared as far as it can be read, because rcl rejects it; `check '

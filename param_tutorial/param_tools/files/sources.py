@@ -17,7 +17,6 @@ from param_tools.files.parameter_files import read_bytes
 from param_tools.files.parsing import Parser
 
 _LITERAL = r'''[fFrRbBuUL]*(?:"((?:\\.|[^"\\\n])*)"|'((?:\\.|[^'\\\n])*)')'''
-_COMMENTS = {'.py': r'#[^\n]*', '': r'//[^\n]*|/\*.*?\*/'}
 _CALL = re.compile(r'\bdeclare\w*[pP]aram\w*\s*(?:<[^;{}()]*>)?\s*\(')
 _SUFFIXES = {'.py', '.c', '.cc', '.cpp', '.cxx', '.h', '.hh', '.hpp', '.hxx'}
 # Nothing below these is shipped, or is the source of a node.
@@ -42,9 +41,7 @@ class Source:
 
     def names(self, parameter: str) -> bool:
         """True if a call declares a parameter, or its name or the end of it stands in quotes."""
-        parts = parameter.split('.')
-        ends = ['.'.join(parts[start:]) for start in range(len(parts))]
-        return (is_housekeeping(parameter) or any(f'{dot}{end}' in self.literals for end in ends for dot in ('', '.'))
+        return (is_housekeeping(parameter) or any({end, f'.{end}'} & self.literals for end in _ends(parameter))
                 or any('*' in name and re.fullmatch(re.escape(name).replace(r'\*', '.+'), parameter)
                        for name in self.declared))
 
@@ -63,8 +60,9 @@ def read_source(folder: Path) -> Source:
             found.nameless = found.nameless or f'{path} has {words[0]}'
         if path.suffix not in _SUFFIXES:
             continue
-        comment = _COMMENTS.get(path.suffix, _COMMENTS[''])
-        text = re.sub(f'{_LITERAL}|({comment})', _without_comment, text, flags=re.DOTALL)
+        comment = r'#[^\n]*' if path.suffix == '.py' else r'//[^\n]*|/\*.*?\*/'
+        text = re.sub(f'{_LITERAL}|({comment})', lambda each: '\n' * each[0].count('\n') if each[3] else each[0], text,
+                      flags=re.DOTALL)
         found.literals.update(one or other for one, other in re.findall(_LITERAL, text))
         for call in _CALL.finditer(text):
             place = path, text.count('\n', 0, call.start()) + 1
@@ -74,10 +72,6 @@ def read_source(folder: Path) -> Source:
             for name in names:
                 found.declared.setdefault(name, place)
     return found
-
-
-def _without_comment(match: re.Match[str]) -> str:
-    return '\n' * match[0].count('\n') if match[3] else match[0]
 
 
 def compare_source(folder: Path, paths: Iterable[str | Path] = ()) -> tuple[list[FileFinding], list[str]]:
@@ -104,25 +98,25 @@ def compare_source(folder: Path, paths: Iterable[str | Path] = ()) -> tuple[list
               for block in parser.blocks if block not in ours]
     exact = [name for name in source.declared if '*' not in name]
     unknown = [each for each in parser.assignments if each.block in ours and not source.names(each.name)]
-    found = []
     if source.nameless and unknown:
         names = ', '.join(dict.fromkeys(each.name for each in unknown))
         notes.append(f'{source.nameless}, so these may be declared, though no declare_parameter names them: {names}')
-    else:
-        found = [FileFinding(each.file, each.name_place.line, each.name_place.column, 'not declared', (
-            f'no declare_parameter in the text of {folder} names {each.name}, so probably no node reads it: remove the '
-            f'line{_or_write(each.name, exact)}'), each.block, each.name) for each in unknown]
-    ends = {'.'.join(parts[start:]) for names in by_block.values() for parts in (name.split('.') for name in names)
-            for start in range(len(parts))}
+        unknown = []
+    found = [FileFinding(each.file, each.name_place.line, each.name_place.column, 'not declared', (
+        f'no declare_parameter in the text of {folder} names {each.name}, so probably no node reads it: remove the line'
+        + ''.join(f', or write {near}' for near in difflib.get_close_matches(each.name, exact, n=1, cutoff=0.75))),
+        each.block, each.name) for each in unknown]
+    ends = {end for names in by_block.values() for name in names for end in _ends(name)}
     found += [FileFinding(str(source.declared[name][0]), source.declared[name][1], 1, 'in no file', (
         f'{name} is declared here and in no parameter file: nodes get its default'), '', name)
         for name in exact if parser.blocks and name not in ends and not is_housekeeping(name)]
     return found, notes
 
 
-def _or_write(name: str, declared: Iterable[str]) -> str:
-    near = difflib.get_close_matches(name, declared, n=1, cutoff=0.75)
-    return f', or write {near[0]}' if near else ''
+def _ends(name: str) -> Iterator[str]:
+    """Return ``a.b.c``, ``b.c`` and ``c``: what stands before may be put together in the source."""
+    parts = name.split('.')
+    return ('.'.join(parts[start:]) for start in range(len(parts)))
 
 
 def _files(folder: Path, suffixes: set[str]) -> Iterator[Path]:
