@@ -318,6 +318,8 @@ def test_a_component_gets_what_launch_ros_reads_for_it(tmp_path, content, given)
     ("component(FILE, name='n')", 'a: 1\nb: [', "2:1: unreadable: launch reads a component's file with Py"),
     ("component(FILE, name='n')", 'a: 1\nb: $(env HOME)', '2:1: not filled in: /n gets this text as it stands'),
     ('node(FILE)', 'n: {ros__parameters: {a: "${HOME}/x"}}', 'Neither launch nor rcl replaces ${HOME}: write $(env'),
+    ("Node(package='controller_manager', executable='spawner', arguments=['arm', '--param-file', FILE])",
+     'arm:\n  gains: 1', '1:1: no header: the file has no ros__parameters'),
     ('node(FILE)', 'n: {ros__parameters: {a: $(find x)}}', 'Launch has no $(find …), which is of ROS 1: write'),
 ])
 def test_what_a_file_of_a_launch_file_says_in_vain_is_found(tmp_path, actions, content, found):

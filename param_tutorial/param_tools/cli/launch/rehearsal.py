@@ -109,6 +109,10 @@ class RehearsedLaunch:
         self._given: dict[str, Any] = {}
         """For each file with one value, what that is in the launch file."""
         programs = carry_out([include(path, arguments)], self._context)
+        # A spawner hands on each of these, and the node of a controller reads it with rcl.
+        self._spawned = [Path(file) for each in programs if each.command[0] == 'controller_manager/spawner'
+                         for word, file in zip(each.command, each.command[1:]) if word in ('-p', '--param-file')
+                         and Path(file).is_file()]
         self.nodes = [node for program in programs if (node := self._node(program)) is not None]
 
     def _note(self, level: str, _name: str, text: str) -> None:
@@ -157,6 +161,7 @@ class RehearsedLaunch:
         found: dict[FileFinding, None] = {}
         for warning in self._context.warnings:
             found[dataclasses.replace(warning, file=warning.file or str(self.path))] = None
+        found.update(dict.fromkeys(each for path in self._spawned for each in check_files(path)))
         left: dict[str, None] = {}
         for node in self.nodes:
             description = node.description(known)
