@@ -94,8 +94,8 @@ def compare_source(folder: Path, paths: Iterable[str | Path] = ()) -> tuple[list
     # A file may configure nodes of other packages, too, of which a name or two may occur here.
     ours = {block for block, names in by_block.items() if block.rpartition('/')[2] in source.literals
             or 2 * sum(map(source.names, names)) >= len(names)}
-    notes += [f'{block}: not compared, because {folder} declares too few of its parameters'
-              for block in parser.blocks if block not in ours]
+    if others := [block for block in parser.blocks if block not in ours]:
+        notes.append(f'Not compared, because {folder} declares few of their parameters or none: {", ".join(others)}')
     exact = [name for name in source.declared if '*' not in name]
     unknown = [each for each in parser.assignments if each.block in ours and not source.names(each.name)]
     if source.nameless and unknown:
