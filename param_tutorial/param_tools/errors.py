@@ -97,12 +97,15 @@ class NoServiceError(NodeError):
 class NoAnswerError(NodeError, TimeoutError):
     """The node is there but did not answer in time: it is busy, stopped, or nobody spins it."""
 
-    def __init__(self, node: str, service: str, timeout_sec: float, *, on_network: bool = False):
-        """:param on_network: True if the node may live on another machine."""
-        super().__init__(node, (
-            f'{node} did not answer {service} within {timeout_sec:g} s. It is there, but busy in a callback, '
-            f'stopped in a debugger, or not spun by any executor'
-            f'{", or the network to its machine is slow or down" if on_network else ""}'))
+    def __init__(self, node: str, service: str, timeout_sec: float, *, on_network: bool = False, culprit: str = ''):
+        """
+        :param on_network: True if the node may live on another machine.
+        :param culprit: The callback that has kept the thread in which answers arrive, if one has.
+        """
+        why = (f': {culprit} has kept the one thread of all nodes' if culprit else
+               '. It is there, but busy in a callback, stopped in a debugger, or not spun by any executor'
+               f'{", or the network to its machine is slow or down" if on_network else ""}')
+        super().__init__(node, f'{node} did not answer {service} within {timeout_sec:g} s{why}')
 
 
 class NodeGoneError(NodeError, ConnectionError):

@@ -216,6 +216,12 @@ def test_a_finding_quotes_the_line_that_raised(ros, tmp_path):
         '5.3c', space['rejected'])).split())
 
 
+@pytest.mark.parametrize(('replaced', 'has_link'), [(('(self):', '(self)'), False), (('(Node)', ''), True)])
+def test_what_python_cannot_read_leads_to_no_section_of_the_chapter(ros, replaced, has_link):
+    result = exercises.check('3a', solution('3a', replaced))
+    assert (result.done, any(each.see for each in result.findings)) == (False, has_link)
+
+
 def test_hints_come_one_by_one_and_end_at_the_solution(monkeypatch):
     monkeypatch.setattr(exercises, '_hints_given', {})
     hints = EXERCISES['4b'].hints

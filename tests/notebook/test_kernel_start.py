@@ -19,6 +19,8 @@ def shell():
     ('panel.reset()', f'If a cell above defines panel, {ABOVE}\n'),
     ('%ros2 param list', f'The first cell of the notebook makes %ros2 known; {ABOVE}\n'),
     ('import rclpy.node\nget_logger()', 'A Node has get_logger: do you mean self.get_logger?\n'),
+    ('import rclpy.task\nimport rclpy.node\nrclpy.task.Future().result().values',
+     '`None` is an answer that has not come: `result()` of a future does not wait for it.\n'),
     ('def f():\n    print(x)\n    x = 1\nf()', ''),
     ('%unheard_of', ''),
 ])

@@ -10,14 +10,16 @@ Tools need three things of it: ``run`` a function in its thread, ``services`` to
 
 import contextlib
 import functools
+import linecache
 import sys
 import threading
 import time
 import traceback
 import weakref
 from collections import deque
-from collections.abc import Callable, Coroutine, Sequence
+from collections.abc import Callable, Coroutine, Iterable, Sequence
 from dataclasses import dataclass
+from types import FrameType
 from typing import Any, TypeVar, cast
 
 import rclpy
@@ -136,13 +138,15 @@ class _WatchedExecutor(SingleThreadedExecutor):
     running: tuple[Any, Any] | None = None
     """The entity (a timer, a service, …) whose callback runs or has raised the latest exception, and its node."""
     began = 0.0
+    thread = 0
+    """Identifies the thread in which it runs."""
     before_callback: Callable[[], None]
 
     def wait_for_ready_callbacks(self, *args: Any, **options: Any) -> Any:
         """Wait for the next callback, as rclpy does, and note which one it is."""
         self.running = None
         found: tuple[Any, Any, Any] = super().wait_for_ready_callbacks(*args, **options)
-        self.running, self.began = found[1:], time.monotonic()
+        self.running, self.began, self.thread = found[1:], time.monotonic(), threading.get_ident()
         self.before_callback()
         return found
 
@@ -164,6 +168,8 @@ class BackgroundExecutor:
         self._names: list[tuple[str, str]] = []
         self._stopping = False
         self._told_of = self._next_tick = 0.0
+        # The callback that was interrupted last, with its line, and when.
+        self._interrupted = '', 0.0
         self._objection = self._error_if_asked
         with contextlib.ExitStack() as undo:  # a process that may open no more files, say, gets no participant of DDS
             # Without NO, the kernel's "interrupt" button would shut the context down. The console and file logs
@@ -422,6 +428,17 @@ class BackgroundExecutor:
             return False
         return True
 
+    def culprit(self, since: float) -> str:
+        """Name the callback that keeps the thread for long, or was interrupted since a time, and its line.
+
+        :param since: By ``time.monotonic()``.
+        :return: As in "the timer callback tick of /t, in line 6 (`while True:`),"; else nothing.
+        """
+        if self.busy_sec > _BUSY_SEC and (running := self.running):
+            return _with_line(running, traceback.walk_stack(sys._current_frames()[self._executor.thread]))
+        name, when = self._interrupted
+        return name if when > since else ''
+
     def _describe_culprit(self) -> str:
         running = self.running
         return f'{_sentence(running) if running else "A function"} does not return and cannot be interrupted'
@@ -446,6 +463,9 @@ class BackgroundExecutor:
         callback = self.running
         if isinstance(error, _CallbackInterrupted):
             self.services.give_a_turn((callback.node_name, callback.parameter_service) if callback else ('', ''))
+            if callback:
+                self._interrupted = (_with_line(callback, reversed([*traceback.walk_tb(error.__traceback__)])),
+                                     time.monotonic())
         if callback is not None and callback.node not in self._nodes:
             return  # a callback or an answer was due when its node was removed, and has found its handles gone
         failure = self._count(error, callback)
@@ -545,6 +565,15 @@ def _sentence(callback: Callback | Failure) -> str:
     """Return the name of a callback as the beginning of a sentence."""
     name = str(callback)
     return name[0].upper() + name[1:]
+
+
+def _with_line(callback: Callback, frames: Iterable[tuple[FrameType, int]]) -> str:
+    """Return the name of a callback, with the innermost line that stands where the class of its node does."""
+    for frame, number in frames:
+        if frame.f_globals.get('__name__') == type(callback.node).__module__:
+            line = linecache.getline(frame.f_code.co_filename, number, frame.f_globals).strip()
+            return f'{callback}, in line {number}' + (f' (`{line}`)' if line else '') + ','
+    return str(callback)
 
 
 def _full_name(node: Node) -> str:

@@ -78,6 +78,9 @@ class Carrier(Protocol):
     def free(self) -> bool:
         """End a callback that keeps the executor's thread for long; return True if there was one and it ended."""
 
+    def culprit(self, since: float) -> str:
+        """Name the callback that keeps the thread for long, or was interrupted since a time; else nothing."""
+
 
 @dataclass(eq=False)
 class _PendingCall:
@@ -85,6 +88,7 @@ class _PendingCall:
     service: str
     client: Client
     timeout_sec: float
+    began: float
     deadline: float
 
 
@@ -140,7 +144,7 @@ class Services:
                                 'executor that the callback keeps busy. Use call_async of an rclpy client')
         if not self.find(node, service, timeout_sec if timeout_sec > graph.NEWCOMER_SEC else 0.0):
             raise self._absence(node, service)
-        finished = threading.Event()
+        finished, began = threading.Event(), time.monotonic()
         future = self.call_async(node, service, request, timeout_sec=timeout_sec)
         future.add_done_callback(lambda _: finished.set())
         # The executor ends a call that is late, as long as no callback keeps it busy.
@@ -148,7 +152,7 @@ class Services:
             self._executor.free()
             if not waiting.wait_for(finished, timeout_sec + _GRACE_SEC):
                 self._forget(future)
-                raise self._no_answer(node, service, timeout_sec)
+                raise self._no_answer(node, service, timeout_sec, began)
         return future.result()
 
     def call_async(self, node: str, service: str, request: Any, *, timeout_sec: float = TIMEOUT_SEC) -> Future:
@@ -290,7 +294,7 @@ class Services:
             pending = list(self._pending.items())
         for future, call in pending:
             if time.monotonic() > call.deadline:
-                self._finish(future, self._no_answer(call.node, call.service, call.timeout_sec))
+                self._finish(future, self._no_answer(call.node, call.service, call.timeout_sec, call.began))
             # On a busy machine a service alone may seem gone for a moment.
             elif not call.client.service_is_ready() and graph.has_left(call.node, self._tool_node):
                 self._finish(future, NodeGoneError(call.node, call.service))
@@ -319,9 +323,9 @@ class Services:
         self._finish(unanswered, CallbackError(node, service, error))
         return True
 
-    @staticmethod
-    def _no_answer(node: str, service: str, timeout_sec: float) -> NoAnswerError:
-        return NoAnswerError(node, service, timeout_sec, on_network=domain.reaches_other_hosts())
+    def _no_answer(self, node: str, service: str, timeout_sec: float, began: float) -> NoAnswerError:
+        return NoAnswerError(node, service, timeout_sec, on_network=domain.reaches_other_hosts(),
+                             culprit=self._executor.culprit(began))
 
     def _client(self, node: str, service: str) -> Client:
         with self._lock:
@@ -341,7 +345,8 @@ class Services:
         with self._lock:
             client = self._client(node, service)
             future = client.call_async(request)
-            self._pending[future] = _PendingCall(node, service, client, timeout_sec, deadline(timeout_sec))
+            self._pending[future] = _PendingCall(node, service, client, timeout_sec, time.monotonic(),
+                                                 deadline(timeout_sec))
         future.add_done_callback(self._forget)
         return future
 

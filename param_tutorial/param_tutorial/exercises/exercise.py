@@ -1,6 +1,7 @@
 """What an exercise is: requirements, each a sentence and a function that tries it out, and how they are checked."""
 
 import inspect
+import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -51,6 +52,8 @@ TEXT = Kind('a string, as in the cell above', lambda work: isinstance(work, str)
 LIST = Kind('a list, as in the cell above', lambda work: isinstance(work, (list, tuple)), 'my_list')
 
 
+# What Python says of a text that is not Python.
+_NO_PYTHON = re.compile(r'\b(Syntax|Indentation|Tab)Error\b')
 # What people write between the two halves of a word.
 _SPACES = str.maketrans('-_', '  ')
 
@@ -233,8 +236,9 @@ def _try_out(requirement: Requirement, trial: Trial) -> Finding:
 
 
 def _finding(requirement: Requirement, error: NotYet) -> Finding:
-    return Finding(requirement.sentence, False, _without_corner(error.expected), _without_corner(error.happened),
-                   requirement.see)
+    # No section of a chapter tells of a colon that is missing.
+    see = '' if _NO_PYTHON.search(error.happened) else requirement.see
+    return Finding(requirement.sentence, False, _without_corner(error.expected), _without_corner(error.happened), see)
 
 
 def _without_corner(text: str) -> str:

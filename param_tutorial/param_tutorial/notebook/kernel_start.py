@@ -1,6 +1,7 @@
 """What a kernel of ``make lab`` has before its first cell, which makes the rest of the course known.
 
-An error about a name that a cell above would have defined, or that a Node has, says so. Terminals find its nodes.
+An error about a name that a cell above would have defined, or that a Node has, says so, and of some errors with rclpy
+the cause is told. Terminals find its nodes.
 """
 
 import re
@@ -21,7 +22,7 @@ def load_ipython_extension(shell: InteractiveShell) -> None:
 
 
 def after_cell(result: ExecutionResult) -> None:
-    """Say below an error which cells to run first, if that may be the reason."""
+    """Say below an error which cells to run first, or what the cause is, if it may be one that we know."""
     error = result.error_in_exec
     if type(error) is NameError:
         node = getattr(sys.modules.get('rclpy.node'), 'Node', None)
@@ -29,3 +30,8 @@ def after_cell(result: ExecutionResult) -> None:
               f'If a cell above defines {error.name}, {_ABOVE}', file=sys.stderr)
     elif isinstance(error, UsageError) and (magic := re.search('`(%%?(ros2|shell)[^`]*)` not found', str(error))):
         print(f'The first cell of the notebook makes {magic[1]} known; {_ABOVE}', file=sys.stderr)
+    elif error is not None and 'rclpy.node' in sys.modules:  # which takes its time to import
+        from param_tutorial.package.loading import cause
+
+        if why := cause(error):
+            print(f'{why}.', file=sys.stderr)

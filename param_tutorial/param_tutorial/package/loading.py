@@ -33,6 +33,8 @@ _CAUSES = (
     (r"SetParametersResult' object is not iter", 'A pre-set callback returns a list; a judge is an on-set callback'),
     (r"'(function|method|Future)' object has no attribute '(successful|results?|values)'",
      'It is a future, whose answer has still to come'),
+    (r"'NoneType' object has no attribute '(results?|values|types|descriptors)'",
+     '`None` is an answer that has not come: `result()` of a future does not wait for it'),
     (r"Range' object is not subs", 'A descriptor has its range in a list, in brackets'),
     (r'create (publisher|subscription): ', 'That topic may have messages of another type'),
 )

@@ -23,6 +23,8 @@ WRONG = {
         ([(ASK, 'answer = self.client.call(request)')], 0, 'Use call_async()'),
         ([(ASK, 'answer = await self.client.call(request)')], 0, 'Use call_async()'),
         ([(ASK, 'answer = self.client.call_async(request)')], 0, 'It is a future, whose answer has still to come'),
+        ([(ASK, 'answer = self.client.call_async(request).result()')], 0,
+         '`result()` of a future does not wait for it'),
         ([(ASK, 'import rclpy\n        future = self.client.call_async(request)\n'
            '        rclpy.spin_until_future_complete(self, future)\n        answer = future.result()')],
          0, 'this callback already runs inside the executor that it waits for'),
