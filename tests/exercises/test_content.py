@@ -96,7 +96,7 @@ LOOKS = {
 @pytest.mark.parametrize('look', LOOKS)
 def test_the_look_of_an_option_wins_at_most_ten_points_more_than_chance(look):
     gains, leads = [], {}
-    for question in (each for each in (*PREDICTIONS.values(), *RECALLS.values()) if not each.is_typed):
+    for question in (each for each in (*PREDICTIONS.values(), *RECALLS.values()) if not each.is_number):
         by_look = [LOOKS[look](place, each.text) for place, each in enumerate(question.choices)]
         right, = (key for key, each in zip(by_look, question.choices, strict=True) if each.is_right)
         gains.append((right == min(by_look)) / by_look.count(right) - 1 / len(by_look))

@@ -6,10 +6,13 @@ from ipywidgets.widgets.widget import _instances as widget_registry
 from param_tutorial import exercises
 from param_tutorial.exercises import RECALLS
 from param_tutorial.exercises.predicting import PredictionView
-from param_tutorial.exercises.prediction import MIME_TYPE, Prediction, right, wrong
+from param_tutorial.exercises.prediction import MIME_TYPE, Prediction, Scale, right, wrong
+from param_tutorial.notebook import veil
 
 CHOICE = Prediction('1-1', 'What is `1`?', (wrong('a text', 'It is a `number`.'), right('a number', 'So it is.')))
 TYPED = Prediction('1-2', 'How many?', (right('150', 'Yes.'), wrong('100', 'More.')), otherwise='It is 150.')
+MARKED = Prediction('1-3', 'How far?', (right('0', 'Yes.'), wrong('5', 'Less.')), otherwise='It is 0.',
+                    scale=Scale(0, 10, 0.1, 'm', tolerance=0.1))
 
 
 @pytest.fixture
@@ -55,20 +58,33 @@ def test_an_answer_is_locked_and_remembered(ask, remembered, prediction, answer,
     assert view.is_decided  # at once, where there are no cells
 
 
+def test_a_marker_near_a_choice_means_that_choice_and_is_told_as_it_was_put(ask, remembered, bare_ipython, capsys):
+    bare_ipython.user_ns['ask'] = ask
+    bare_ipython.user_ns['view'] = view = ask(MARKED)
+    assert '(put a marker between 0 and 10 m)' in repr(view)
+    view.commit('0.1', '0')
+    bare_ipython.run_cell('1')
+    assert remembered == [('1-3', '0', True)]
+    assert capsys.readouterr().out.endswith('You predicted: 0.1 m\n✓ Right. Yes.\n')
+
+
 def test_a_recall_is_decided_at_once(bare_ipython):
     assert exercises.recall(next(iter(RECALLS))).is_decided
     assert not exercises.predict('6.1-1').is_decided
 
 
-def test_the_verdict_waits_for_the_next_cell_and_stands_below_its_output(ask, bare_ipython, capsys):
+def test_verdict_and_veil_wait_for_the_next_cell_and_one_stands_below_its_output(
+        ask, bare_ipython, capsys, monkeypatch):
     bare_ipython.user_ns['ask'] = ask
     bare_ipython.run_cell('view = ask()')
     view = bare_ipython.user_ns['view']
+    lifted = []
+    monkeypatch.setattr(veil, 'lift', lifted.append)
     view.commit('a text')
-    assert not view.is_decided
+    assert (view.is_decided, lifted) == (False, [])
     capsys.readouterr()
     bare_ipython.run_cell('print("the output")')
-    assert view.is_decided
+    assert (view.is_decided, view.is_told_below, lifted) == (True, True, ['1-1'])
     assert capsys.readouterr().out == 'the output\nYou predicted: a text\n✗ Not so. It is a `number`.\n'
     bare_ipython.run_cell('print("another")')
     assert capsys.readouterr().out == 'another\n'

@@ -50,6 +50,12 @@ test('a typed answer is compared as a number', () => {
   assert.equal(choiceOf('many', facts), '');
 });
 
+test('a marker near a choice means that choice', () => {
+  const facts = {verdicts: {0.3: 'No.', 0: 'Yes.'}, right: '0', otherwise: 'It is 0.', scale: {tolerance: 0.1}};
+  for (const given of ['0', '0.1', '0.2']) assert.equal(choiceOf(given, facts), given === '0.2' ? '0.3' : '0');
+  assert.equal(choiceOf('0.5', facts), '0.5');
+});
+
 test('an answer that the question no longer has is none', () => {
   const facts = {verdicts: {'a text': 'No.', 'a number': 'Yes.'}, right: 'a number', otherwise: null};
   assert.equal(choiceOf('a text', facts), 'a text');

@@ -9,6 +9,7 @@ import html
 import json
 import weakref
 from collections.abc import Callable
+from dataclasses import asdict
 from typing import Any
 
 import traitlets
@@ -18,7 +19,7 @@ from param_tools.markup.styles import sheet, style
 from param_tools.markup.tables import with_code
 from param_tools.panel.close_with_cell import close_looks, close_with_cell
 from param_tools.panel.front import Front, answer_beside_cells
-from param_tutorial.exercises.prediction import MIME_TYPE, Choice, Prediction, wrong
+from param_tutorial.exercises.prediction import MIME_TYPE, Choice, Prediction, Scale, wrong
 from param_tutorial.notebook import veil
 
 STYLE = style('param_tutorial/exercises/prediction.css')
@@ -33,9 +34,11 @@ class PredictionView(Front):
     _css = sheet('param_tutorial/exercises/prediction.css')
     markup = traitlets.Unicode().tag(sync=True)
     answer = traitlets.Unicode().tag(sync=True)
-    """What the learner has committed to: a choice's text, or another number as it was typed."""
+    """What the learner has committed to: a choice's text, or a number as it was given."""
     is_decided = traitlets.Bool().tag(sync=True)
     """True if the form may show the verdict."""
+    is_told_below = traitlets.Bool().tag(sync=True)
+    """True if the verdict stands below the cell that decided."""
     note = traitlets.Unicode().tag(sync=True)
     """What the learner should know if the answer could not be remembered, as HTML."""
 
@@ -46,6 +49,7 @@ class PredictionView(Front):
         """
         self.prediction = prediction
         self._remember = remember
+        self._meant = ''
         super().__init__(markup=draw_form(prediction), is_decided=not prediction.is_decided_by_a_cell)
         answer_beside_cells(self)
         self.on_msg(self._on_message)
@@ -67,16 +71,20 @@ class PredictionView(Front):
         close_looks(self)
         super().close()
 
-    def commit(self, answer: str) -> None:
-        """Lock an answer in: a choice's text, or another number as it was typed."""
+    def commit(self, answer: str, meant: str = '') -> None:
+        """Lock an answer in: a choice's text, or a number as it was given.
+
+        :param meant: The text of the choice that the answer means, if it is another.
+        """
         # A cell that decides may end in one thread while the learner commits in another.
         with self.drawing, self.hold_sync():
             if self.answer:
                 return
-            choice = self.prediction.choice(answer)
+            choice = self.prediction.choice(meant or answer)
             self.note = with_code(self._remember(self.prediction.number, choice.text, choice.is_right))
-            self.answer = choice.text
-        veil.lift(self.prediction.number)
+            self.answer, self._meant = answer, choice.text
+            if self.is_decided:
+                veil.lift(self.prediction.number)
 
     def decide(self) -> dict[str, str]:
         """Let the form show the verdict: a later cell has run.
@@ -87,14 +95,17 @@ class PredictionView(Front):
             self.is_decided = True
             if not self.answer:
                 return {}
-            choice = self.prediction.choice(self.answer)
+            self.is_told_below = True
+            veil.lift(self.prediction.number)
+            choice, scale = self.prediction.choice(self._meant), self.prediction.scale
+            answer = f'{self.answer} {scale.unit}'.strip() if scale else self.answer
             return {'text/html': f'{STYLE}<div class="param-predict"><p>You predicted: '
-                                 f'<q>{with_code(self.answer)}</q></p><p>{verdict(self.prediction, choice)}</p></div>',
-                    'text/plain': f'You predicted: {self.answer}\n{choice.word} {choice.sentence}'}
+                                 f'<q>{with_code(answer)}</q></p><p>{verdict(self.prediction, choice)}</p></div>',
+                    'text/plain': f'You predicted: {answer}\n{choice.word} {choice.sentence}'}
 
     def _on_message(self, _widget: object, content: dict[str, Any], _buffers: object) -> None:
         if content.get('do') == 'commit':
-            self.commit(str(content['answer']))
+            self.commit(str(content['answer']), str(content['meant']))
         elif content.get('do') == 'skip':
             veil.lift(self.prediction.number)
 
@@ -106,7 +117,7 @@ class PredictionView(Front):
         earlier = _latest.get(self.prediction.number)
         _latest[self.prediction.number] = self
         if earlier is not None and not earlier.is_decided:
-            self.answer, self.note = earlier.answer, earlier.note
+            self.answer, self._meant, self.note = earlier.answer, earlier._meant, earlier.note
 
 
 def draw_form(prediction: Prediction, linked: Callable[[str], str] = str) -> str:
@@ -114,12 +125,17 @@ def draw_form(prediction: Prediction, linked: Callable[[str], str] = str) -> str
 
     :param linked: Returns a verdict with links in it.
     """
+    scale = prediction.scale
     facts = {'verdicts': {each.text: linked(verdict(prediction, each)) for each in prediction.choices},
              'right': next(each.text for each in prediction.choices if each.is_right),
-             'otherwise': linked(verdict(prediction, wrong('', prediction.otherwise))) if prediction.is_typed else None}
+             'otherwise': (linked(verdict(prediction, wrong('', prediction.otherwise)))
+                           if prediction.is_number else None),
+             'scale': scale and asdict(scale)}
     # Or JupyterLab takes the arrow keys for itself, and selects another cell.
     common = 'name="answer" autocomplete="off" data-lm-suppress-shortcuts="true"'
-    if prediction.is_typed:
+    if scale:
+        answers = _draw_scale(scale, common)
+    elif prediction.is_number:
         answers = f'<input type="text" {common} placeholder="your number" aria-label="Your number">'
     else:
         answers = ''.join(f'<label><input type="radio" {common} value="{html.escape(each.text)}">'
@@ -131,6 +147,24 @@ def draw_form(prediction: Prediction, linked: Callable[[str], str] = str) -> str
             f'<p class="param-predict-buttons"><button type="submit" class="param-predict-commit" disabled>Commit'
             f'</button><button type="button" class="param-predict-skip">Skip</button></p>'
             f'<p class="param-predict-says" role="status"></p></form>')
+
+
+_ROBOT = ('<svg class="param-predict-robot" viewBox="-59 -37 59 38" aria-hidden="true"><path d="M-59 -26h55v17h-55z'
+          'M-46 -18a9 9 0 1 0 .1 0M-17 -18a9 9 0 1 0 .1 0M-15 -26v-7h6"/></svg>')
+
+
+def _draw_scale(scale: Scale, common: str) -> str:
+    """Return a line with a marker on it; the wall is at its right end."""
+    middle = scale.low + scale.step * round((scale.high - scale.low) / scale.step / 2)
+    ends = [f'{each:g}' for each in (scale.low, scale.high)]
+    ends = ['start', 'wall'] if scale.is_track else ends
+    return ('<div class="param-predict-scale"><b class="param-predict-number" aria-hidden="true">?</b>'
+            '<span class="param-predict-line">'
+            f'<input type="range" {common} min="{scale.low:g}" max="{scale.high:g}" step="{scale.step:g}" '
+            f'value="{middle:g}"{" dir=rtl" if scale.is_track else ""} aria-label="Your prediction, in {scale.unit}">'
+            f'{_ROBOT if scale.is_track else ""}<i class="param-predict-truth" hidden></i></span>'
+            f'<span class="param-predict-ends" aria-hidden="true"><span>{ends[0]}</span><span>{ends[1]}</span></span>'
+            f'</div>')
 
 
 def verdict(prediction: Prediction, choice: Choice) -> str:

@@ -3,15 +3,18 @@
    Its host keeps the answer, and knows when the verdict may be shown. */
 
 import {all, one} from '../../param_tools/panel/dom.js';
+import {Marker} from './marker.js';
 
 /**
  * @typedef {object} Facts
  * @property {Record<string, string>} verdicts By the text of a choice, what is said to it, as HTML.
  * @property {string} right The text of the right choice.
  * @property {string | null} otherwise What is said to any other number; null where the reader chooses.
+ * @property {import('./marker.js').Scale | null} [scale] Where the number is given by a marker.
  *
  * @typedef {object} Host
- * @property {(answer: string, isRight: boolean) => void} commit Keeps an answer, and has it shown.
+ * @property {(answer: string, meant: string, isRight: boolean) => void} commit Keeps an answer and the choice that it
+ *   means, and has the next cell run.
  * @property {() => void} [skip] Shows what is hidden.
  * @property {() => void} [forget] Lets the reader answer again.
  */
@@ -35,11 +38,12 @@ export function parseNumber(answer) {
  * @param {string} answer
  * @param {Facts} facts
  */
-export function choiceOf(answer, {verdicts, otherwise}) {
+export function choiceOf(answer, {verdicts, otherwise, scale}) {
   if (otherwise === null) return answer in verdicts ? answer : '';
   const number = parseNumber(answer);
   if (Number.isNaN(number)) return '';
-  return Object.keys(verdicts).find(each => Number(each) === number) ?? answer;
+  const near = (scale?.tolerance ?? 0) + 1e-9;
+  return Object.keys(verdicts).find(each => Math.abs(Number(each) - number) <= near) ?? answer;
 }
 
 /**
@@ -47,17 +51,20 @@ export function choiceOf(answer, {verdicts, otherwise}) {
  * @param {HTMLFormElement} form As `predicting.py` draws it.
  * @param {Host} host
  * @returns A function that locks the form at an answer, and shows the verdict if it is decided, and a note as HTML. With
- *   an empty answer, or one that the question no longer has, it unlocks the form.
+ *   an empty answer, or one that the question no longer has, it unlocks the form. Where the sentence stands below the cell
+ *   that decides, the form only says whether the answer is right.
  */
 export function askForPrediction(form, {commit, skip, forget}) {
   /** @type {Facts} */
   const facts = JSON.parse(form.dataset.facts ?? '');
-  const {verdicts, right, otherwise} = facts;
+  const {verdicts, right, otherwise, scale} = facts;
   const fields = one(form, 'fieldset', HTMLFieldSetElement);
   const boxes = all(fields, 'input', HTMLInputElement);
   const button = one(form, '.param-predict-commit', HTMLButtonElement);
   const says = one(form, '.param-predict-says');
-  const given = () => String(new FormData(form).get('answer') ?? '').trim();
+  const marker = scale && new Marker(form, scale);
+  const given = () =>
+    marker ? (marker.isAtRest ? '' : `${marker.value}`) : String(new FormData(form).get('answer') ?? '').trim();
 
   form.addEventListener('input', () => {
     button.disabled = !given();
@@ -70,7 +77,7 @@ export function askForPrediction(form, {commit, skip, forget}) {
     }
     const answer = given();
     const choice = choiceOf(answer, facts);
-    if (choice) commit(choice, choice === right);
+    if (choice) commit(scale ? answer : choice, choice, choice === right);
     else if (answer) {
       says.innerHTML = 'Please answer with a number, such as <code>42</code> or <code>0.5</code>. A unit may follow.';
     }
@@ -83,18 +90,19 @@ export function askForPrediction(form, {commit, skip, forget}) {
   one(form, '.param-predict-skip').addEventListener('click', () => skip?.());
 
   /** @param {string} kept */
-  return function show(kept, isDecided = true, note = '') {
+  return function show(kept, isDecided = true, note = '', isToldBelow = false) {
     const answer = choiceOf(kept, facts);
     const isCommitted = answer !== '';
     if (fields.disabled && !isCommitted) form.reset();
     for (const box of boxes) {
       if (box.type === 'radio') box.checked = isCommitted ? box.value === answer : box.checked;
-      else if (isCommitted) box.value = answer;
+      else if (isCommitted && !scale) box.value = answer;
       const mark = isCommitted && isDecided && (box.value === right ? 'right' : box.checked && 'wrong');
       const label = /** @type {HTMLElement} */ (box.parentElement);
       if (box.type === 'radio' && mark) label.dataset.mark = mark;
       else delete label.dataset.mark;
     }
+    marker?.show(isCommitted ? kept : '', isCommitted && isDecided ? right : '');
     // The button keeps the focus, from which Shift+Enter goes on to the next cell; what is disabled would lose it.
     const isHere = fields.contains(document.activeElement);
     button.disabled = !isCommitted && !given();
@@ -103,7 +111,9 @@ export function askForPrediction(form, {commit, skip, forget}) {
     button.textContent = !isCommitted ? 'Commit' : forget ? 'Answer again' : 'Committed';
     button.classList.toggle('param-predict-committed', isCommitted && !forget);
     button.classList.toggle('param-predict-again', isCommitted && Boolean(forget));
-    const said = isDecided ? (verdicts[answer] ?? otherwise) : 'Now run the next cell.';
+    const verdict = verdicts[answer] ?? otherwise ?? '';
+    const told = isToldBelow ? (/^<b.*?<\/b>/.exec(verdict)?.[0] ?? '') : verdict;
+    const said = isDecided ? told : 'The next cell decides.';
     const shown = isCommitted ? `${said} ${note}` : '';
     if (says.innerHTML !== shown) says.innerHTML = shown;
   };

@@ -35,6 +35,23 @@ def wrong(text: str, sentence: str) -> Choice:
 
 
 @dataclass(frozen=True)
+class Scale:
+    """Where the learner puts a marker, and does not type a number."""
+
+    low: float
+    high: float
+    step: float
+    unit: str = ''
+    tolerance: float = 0.0
+    """How far from a choice's number an answer may be that means that choice."""
+    is_track: bool = False
+    """True for the distance of the robot from the wall: pictures of the track show the marker, too, as a robot."""
+
+    def __str__(self) -> str:
+        return f'(put a marker between {self.low:g} and {self.high:g}{f" {self.unit}" if self.unit else ""})'
+
+
+@dataclass(frozen=True)
 class Prediction:
     """A question that the learner answers before running the cell that decides it."""
 
@@ -45,7 +62,9 @@ class Prediction:
     choices: tuple[Choice, ...]
     """In the order in which they are shown; their texts are plain. One of them is right."""
     otherwise: str = ''
-    """The sentence for any other number. With it the learner types a number, and the choices are not shown."""
+    """The sentence for any other number. With it the learner gives a number, and the choices are not shown."""
+    scale: Scale | None = None
+    """Where the number is given in a picture; None where it is typed."""
 
     word: ClassVar[str] = 'Predict'
     """What the learner is asked to do."""
@@ -53,8 +72,8 @@ class Prediction:
     """True if the learner is told what is right only after the next cell has run."""
 
     @property
-    def is_typed(self) -> bool:
-        """True if the learner types a number, and does not choose."""
+    def is_number(self) -> bool:
+        """True if the learner gives a number, and does not choose."""
         return bool(self.otherwise)
 
     def choice(self, text: str) -> Choice:
@@ -65,14 +84,15 @@ class Prediction:
         for each in self.choices:
             if each.text == text:
                 return each
-        if not self.is_typed:
+        if not self.is_number:
             raise KeyError(text)
         return wrong(text, self.otherwise)
 
     @property
     def text(self) -> str:
         """The question and the choices, without the answer."""
-        lines = ['(type a value)'] if self.is_typed else [f'( ) {each.text}' for each in self.choices]
+        number = str(self.scale or '(type a value)')
+        lines = [number] if self.is_number else [f'( ) {each.text}' for each in self.choices]
         return '\n'.join([f'{self.word} {self.number} · {self.question}', *(f'    {line}' for line in lines)])
 
     @property

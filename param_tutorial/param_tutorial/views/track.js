@@ -25,6 +25,8 @@ function render({model, el}) {
     if (!isThere) return;
     const stage = one(place, '.track-stage');
     for (const [name, value] of Object.entries(moment.css)) stage.style.setProperty(name, `${value}`);
+    // Where a reader has predicted a place, the form shows it as well: see `exercises/marker.js`.
+    document.dispatchEvent(new CustomEvent('param-robot', {detail: moment.css['--at']}));
     for (const [name, words] of Object.entries(moment.says)) one(stage, `.${name}`, Element).textContent = words;
     const scene = one(stage, '.track-scene');
     scene.classList.toggle('robot-crashed', moment.hasCrashed);

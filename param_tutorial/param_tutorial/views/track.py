@@ -14,6 +14,7 @@ from param_tools.panel.front import Front
 from param_tools.panel.view import FollowingView
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.services import full_name
+from param_tools.ros.waiting import wait_until
 from param_tutorial.nodes.base_node import BaseNode
 from param_tutorial.views.base import name_of
 from param_tutorial.views.drawing.track import Moment, draw_track
@@ -70,6 +71,20 @@ class TrackView(FollowingView):
         if executor is None or base is None:
             raise NodeNotFoundError(self._name, [name_of(node) for node in executor.nodes] if executor else [])
         executor.run(base.reset, 'put the robot back to the start')
+
+    def drive(self, limit_sec: float = 60.0) -> None:
+        """Put the robot back to the start, and wait until it has driven and stands again.
+
+        :raises NodeNotFoundError: it is not running in this process.
+        :raises WaitTimeoutError: it doesn't move, or still does after the limit.
+        """
+        self.reset()
+
+        def has_driven() -> bool:
+            base = self._find_base()
+            return base is not None and base.position_m > 0 and base.speed_mps == 0
+
+        wait_until(has_driven, 'the robot to drive and stand', limit_sec)
 
     def _on_message(self, _widget: object, content: dict[str, Any], _buffers: object) -> None:
         # One that has just gone is about to be said to be gone; of one that hangs, the log tells.

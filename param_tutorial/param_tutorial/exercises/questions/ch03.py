@@ -1,6 +1,6 @@
 """Predictions of chapter 3: what a declaration settles."""
 
-from param_tutorial.exercises.prediction import Prediction, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Scale, right, wrong
 
 SOLVED = 'Your driver declares what it means, and drives.'
 
@@ -44,5 +44,6 @@ PREDICTIONS = (
                'driver command then, in m/s?', (
         right('0.5', 'The constructor has looked at the parameter once, and kept a copy.'),
         wrong('2.0', 'The node holds 2.0, and the driver still uses the copy that its constructor made.')),
+        scale=Scale(0, 2, 0.1, 'm/s'),
         otherwise='It still commands 0.5: the constructor has looked at the parameter once, and kept a copy.'),
 )

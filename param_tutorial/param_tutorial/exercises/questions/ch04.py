@@ -1,6 +1,6 @@
 """Predictions of chapter 4: what a node reads, and when."""
 
-from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, Scale, right, wrong
 
 SOLVED = 'Your driver reads at the right moment. Many robots in the field do not.'
 
@@ -25,6 +25,7 @@ PREDICTIONS = (
         right('1.0', 'The object of a number keeps the value that it had when you took it.'),
         wrong('1.5', 'The object is not connected with the node. To see 1.5, ask the node again with '
               '`get_parameter`.')),
+        scale=Scale(0, 2, 0.1, 'm/s'),
         otherwise='It is 1.0: the object of a number keeps the value that it had when you took it.'),
     Prediction('4-2', 'The driver reads each time now. A client sets 1.5, which the driver then commands. The next one '
                'sets 3.0. Which speed does the driver command then, in m/s?', (
@@ -32,6 +33,7 @@ PREDICTIONS = (
         wrong('3.0', 'The range ends at 2.0. The node rejected 3.0 and still holds 1.5, which is what `drive` reads.'),
         wrong('2.0', 'A range does not correct a value. The node rejected 3.0 and still holds 1.5.'),
         wrong('0.5', 'That was the copy. `drive` reads the parameter now, and it still holds 1.5.')),
+        scale=Scale(0, 4, 0.1, 'm/s'),
         otherwise='It commands 1.5: the node rejected 3.0, and the parameter still holds 1.5.'),
     Prediction('4-3', 'The arm declares `calibration` as a double, without a value. What does `get_parameter` do?', (
         wrong('It returns the value 0.0', 'A type brings no default with it, not even zero. This parameter has no '
@@ -39,14 +41,13 @@ PREDICTIONS = (
         wrong('It returns the value None', 'A node could easily overlook a None. rclpy raises an exception instead.'),
         right('It raises an exception', 'It is a `ParameterUninitializedException`: the parameter exists, but it has '
               'no value.'))),
-    Prediction('4-4', 'Your driver commands 2.0 m/s, until the wall is 0.5 m away. Then it commands 0.0. Where does '
-               'the robot come to rest?', (
-        wrong('About 0.5 m from the wall', 'The driver commands 0.0 there. From 2.0 m/s, with 1 m/s², the base needs 2 '
-              'm more.'),
-        wrong('Closer than 0.5 m to the wall', 'It brakes, but too late. From 2.0 m/s, with 1 m/s², the base needs 2 m '
-              'to stop.'),
-        right('At the wall, which it hits', 'From 2.0 m/s, with 1 m/s², the base needs 2 m to stop, and it has 0.5 '
-              'm.'))),
+    Prediction('4-4', 'Your driver commands 2.0 m/s, until the wall is 0.5 m away. Then it commands 0.0. How far from '
+               'the wall does the robot come to rest?', (
+        right('0', 'It hits the wall: from 2.0 m/s, with 1 m/s², it needs 2 m to stop.'),
+        wrong('0.5', 'There the driver commands 0.0. The base brakes with 1 m/s², and from 2.0 m/s that takes 2 m.'),
+        wrong('0.3', 'So it was at the lower speed. From 2.0 m/s the base needs 2 m to stop.')),
+        scale=Scale(0, 10, 0.1, 'm', tolerance=0.1, is_track=True),
+        otherwise='It hits the wall: from 2.0 m/s, with 1 m/s², it needs 2 m to stop, and half a meter is left.'),
     Prediction('4-5', 'The courier has driven its route once, and nobody has set `stops`. How many stops does a client '
                'get now?', (
         right('0', '`.value` is the list that the node holds, so `pop` has changed the parameter itself.'),
@@ -61,5 +62,6 @@ PREDICTIONS = (
         right('60.0', 'The node rejected the value, and nobody told the slider.'),
         wrong('50.0', 'The node does not correct a value, and the slider knows nothing of the range. It shows 60.0.'),
         wrong('20.0', 'That is what the node holds. Nobody told the slider, so it shows 60.0.')),
+        scale=Scale(0, 70, 5, 'm'),
         otherwise='It shows 60.0: the node rejected the value, and nobody told the slider.'),
 )

@@ -1,6 +1,6 @@
 """Predictions of chapter 5.2: who judges, who acts, and when."""
 
-from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, Scale, right, wrong
 
 SOLVED = 'Your robot judges first and acts later, and takes no speed from which it cannot stop.'
 
@@ -49,12 +49,14 @@ PREDICTIONS = (
         right('-20', 'The motor obeyed a proposal, and the proposal failed. Nothing takes back what `drive` did.'),
         wrong('100', 'The parameter still holds 100, and the motor does not: `drive` was asked first, and acted.'),
         wrong('0', '`drive` has set it to -20, before `judge` rejected the value.')),
+        scale=Scale(-40, 160, 10, 'rpm'),
         otherwise='It is -20: `drive` was asked first, and acted on a proposal that failed.'),
     Prediction('5.2-5', '`drive` is a post-set callback now. Someone sets 120, and then -20. What is `motor_rpm` in '
                'the end?', (
         right('120', 'rclpy called it for 120, which was stored, and not for -20, which was rejected.'),
         wrong('-20', 'rclpy calls a post-set callback only when a value is stored, and -20 never was.'),
         wrong('100', 'rclpy called it for 120, once that was stored.')),
+        scale=Scale(-40, 160, 10, 'rpm'),
         otherwise='It is 120: rclpy calls a post-set callback for what was stored, and for nothing else.'),
     Prediction('5.2-6', '`watch` returns nothing, and 50 rpm are fine for the winch. What does the node do with the '
                'request?', (

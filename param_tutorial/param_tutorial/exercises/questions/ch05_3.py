@@ -1,6 +1,6 @@
 """Predictions of chapter 5.3: one node asks another, and sets its parameters."""
 
-from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, Scale, right, wrong
 
 SOLVED = 'Your tuner asks, sets, and goes on, whatever the driver says.'
 
@@ -37,6 +37,7 @@ PREDICTIONS = (
                'driver hold a second later?', (
         right('0.3', 'Half a second later at most, the tuner asks again, and sets its limit.'),
         wrong('0.9', 'So it was, until the tuner asked again and set its limit.')),
+        scale=Scale(0, 1, 0.1, 'm/s'),
         otherwise='It holds 0.3: the tuner has asked again, and has set its limit.'),
     Prediction('5.3-4', 'The driver holds 0.3 m/s and 0.5 m. One request, `set_parameters`, asks for 1.5 m/s and then '
                'for 1.2 m. How many of the two does the driver accept?', (

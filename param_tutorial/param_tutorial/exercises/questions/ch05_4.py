@@ -1,6 +1,6 @@
 """Predictions of chapter 5.4: callbacks that wait, and what keeps their answers out."""
 
-from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, Scale, right, wrong
 
 SOLVED = 'Your callbacks wait without hanging, and you know who keeps an answer out.'
 
@@ -57,5 +57,6 @@ PREDICTIONS = (
         right('0.2', 'The first name raises an exception, and what comes after it is not tried.'),
         wrong('0.1', 'The service would go on after a rejection. This method raises an exception at the first '
               'name.')),
+        scale=Scale(0, 1, 0.1, 'm/s'),
         otherwise='It holds 0.2: the first name raises an exception, and what comes after it is not tried.'),
 )

@@ -1,6 +1,6 @@
 """Predictions of chapter 7.1: what a file brings back."""
 
-from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, Scale, right, wrong
 
 SOLVED = 'Your robot keeps what you have tuned, and you know which programs to distrust on the way.'
 
@@ -32,6 +32,7 @@ PREDICTIONS = (
         right('0.5', 'The speed comes first, and is judged with the old stop distance. Half a meter is too little.'),
         wrong('1.2', 'Together they keep the rule, but the node judges each value alone, and the speed comes first.'),
         wrong('1.0', 'The node takes the value as it is, or rejects it.')),
+        scale=Scale(0, 2, 0.1, 'm/s'),
         otherwise='It stays 0.5. The node judges each value alone, and the speed comes before the stop distance.'),
     Prediction('7.1-3', 'The file says `label: 1e5`, without quotes. What happens to a courier that starts with it?', (
         wrong('Its label is 1e5', 'That is what the writer meant. But rcl reads the file by its own rules, and to rcl '

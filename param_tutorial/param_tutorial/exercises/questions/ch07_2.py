@@ -1,6 +1,6 @@
 """Predictions of chapter 7.2: what a launch types, what a build installs, and which values arrive."""
 
-from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, Scale, right, wrong
 
 SOLVED = 'Your robot starts with its own values every time, and if it did not, you would notice.'
 
@@ -59,5 +59,6 @@ PREDICTIONS = (
         wrong('0.5', 'The driver holds this value, and sends no command: its timer never fires.'),
         wrong('0.8', 'This launch file names no parameter file. And the driver sends no command at all: its timer '
               'never fires.')),
+        scale=Scale(0, 1, 0.1, 'm/s'),
         otherwise='It stands still: the timer of the driver never fires.'),
 )

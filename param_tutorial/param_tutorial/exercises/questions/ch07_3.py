@@ -1,6 +1,6 @@
 """Predictions of chapter 7.3: which start values reach a node, and which of several wins."""
 
-from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, Scale, right, wrong
 
 SOLVED = 'You can say with which values a node starts, and find out why it started with others.'
 
@@ -30,6 +30,7 @@ PREDICTIONS = (
                'the file, in the namespace `/left`. What is its `max_speed_mps`?', (
         right('0.5', 'The node is called `/left/driver` now. The file is for `/driver`, and nothing tells you.'),
         wrong('0.8', 'A file names a node by its full name, and that is `/left/driver` now.')),
+        scale=Scale(0, 1, 0.1, 'm/s'),
         otherwise='0.5, the default. The node is called `/left/driver` now, and the file is for `/driver`.'),
     Prediction('7.3-2', 'How many of the four nodes `/driver`, `/left/driver`, `/hall/left/driver` and `/lifter` does '
                'the key `/*/driver` reach?', (
@@ -57,6 +58,7 @@ PREDICTIONS = (
         right('0.7', 'The general block comes later, so it wins over the one that was written for this driver.'),
         wrong('0.6', 'The more specific name does not win. The general block was opened later.'),
         wrong('0.5', 'Two blocks in one file are no contradiction. Both match, and the later one wins.')),
+        scale=Scale(0, 1, 0.1, 'm/s'),
         otherwise='0.7. Both blocks match, and the one that was opened later wins.'),
     Prediction('7.3-6', 'The list is a dictionary with a stop distance, the file for `/driver` with 0.6, and a '
                'dictionary with 0.8. With which speed does the driver start?', (
@@ -65,6 +67,7 @@ PREDICTIONS = (
         right('0.6', "Both dictionaries are one block, `/**`, which the first one opened. The file's block comes after "
               'it.'),
         wrong('0.5', 'The file does reach the driver: its key is the name of the node.')),
+        scale=Scale(0, 1, 0.1, 'm/s'),
         otherwise='0.6. Both dictionaries are one block, which the first one opened, so the block of the file wins.'),
     Prediction('7.3-7', 'A file says `max_sped_mps: 0.8`, with a typo. Your driver starts with it. What do you see?', (
         wrong('an error that names it', 'An override waits until its parameter is declared. If that never happens, '

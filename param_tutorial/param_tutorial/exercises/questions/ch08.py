@@ -1,6 +1,6 @@
 """Predictions of chapter 8: what goes wrong where nobody looks."""
 
-from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, Scale, right, wrong
 
 SOLVED = 'Your package says by itself when something is wrong with it.'
 
@@ -28,6 +28,7 @@ PREDICTIONS = (
         right('0.5', 'The node declares no `max_sped_mps`, so that override waits forever, and nobody hears of it.'),
         wrong('0.3', 'The two names differ by a letter. The node ignores an override whose name it does not '
               'declare.')),
+        scale=Scale(0, 1, 0.1, 'm/s'),
         otherwise='It is 0.5, the default: the node ignores an override whose name it does not declare.'),
     Prediction('8-2', 'The node holds 0.5 m/s and 0.5 m. One atomic request sets 2.0 m/s and 2.5 m. With how many '
                'meters to stop does `drive` see 2.0 m/s?', (
@@ -41,15 +42,15 @@ PREDICTIONS = (
         right('2.0', '`Early` had already put the speed to use, and nothing takes back what it did.'),
         wrong('0.5', 'The parameter is still 0.5. The object was replaced before the distance was judged, and nobody '
               'puts the old one back.')),
+        scale=Scale(0, 2.5, 0.1, 'm/s'),
         otherwise='It is 2.0: `Early` put the speed to use before it judged the distance.'),
     Prediction('8-4', 'Someone raises `braking_mps2` to 3.0, and then `max_speed_mps` to 1.7. The brakes of the base '
-               'can do 1.0. What happens?', (
-        wrong('The driver rejects 1.7 m/s', 'With 3.0 m/s² on paper, 0.48 m are enough, so the judge accepts it. The '
-              'base needs 1.44 m.'),
-        right('The robot drives into the wall', 'On paper 0.48 m are enough, so the judge accepts 1.7 m/s. The base '
-              'needs 1.44 m.'),
-        wrong('The robot stops half a meter away', 'The driver commands it to. The base needs 1.44 m, whatever a '
-              'parameter says.'))),
+               'can do 1.0. How far from the wall does the robot stop?', (
+        right('0', 'It drives into the wall: the judge calculated with brakes that the base does not have.'),
+        wrong('0.5', 'There it starts to brake. With its real brakes it needs 1.44 m.'),
+        wrong('0.3', 'With brakes of 3.0 it would need half a meter. The base has brakes of 1.0, and needs 1.44 m.')),
+        scale=Scale(0, 10, 0.1, 'm', tolerance=0.1, is_track=True),
+        otherwise='It drives into the wall: the base needs 1.44 m, and half a meter is left.'),
     Prediction('8-5', 'The driver starts in the namespace `/left`, and publishes on the relative name `cmd_vel`. Which '
                'parameter holds the depth?', (
         wrong('qos_overrides./cmd_vel.publisher.depth', 'rclpy takes the full name of the topic, and in this namespace '

@@ -1,6 +1,6 @@
 """Predictions of chapter 9: what ROS 2 rejects when a node comes over from ROS 1, and where the values live."""
 
-from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, Scale, right, wrong
 
 SOLVED = 'The gripper has moved, and its values came with it.'
 
@@ -57,6 +57,7 @@ PREDICTIONS = (
                '`~max_speed_rpm`, with 100 as its default. What does it get?', (
         right('900', 'In ROS 1 the parameter server keeps the values, and they outlive the node.'),
         wrong('100', 'The node is new, but the value was never in the node. The parameter server keeps it.')),
+        scale=Scale(0, 1000, 50, 'rpm'),
         otherwise='It gets 900. The value was never in the node. The parameter server keeps it, and hands it to the '
                   'next.'),
     Prediction('9-7', 'The gripper is set to 30.0 N, and then started again, without its file. With which force, in '
@@ -64,6 +65,7 @@ PREDICTIONS = (
         right('10.0', 'The value went with the node. Without the file, the default counts.'),
         wrong('30.0', 'There is no server that would have kept it. The value went with the node.'),
         wrong('12.5', 'A file counts at the start that names it, and at no other.')),
+        scale=Scale(0, 40, 0.5, 'N'),
         otherwise='It starts with its default, 10.0. The value went with the node.'),
     Prediction('9-8', 'In ROS 1, `dynamic_reconfigure` has the limit 300 for the speed, which is 150. What is the '
                'speed after a request for 900?', (
@@ -72,5 +74,6 @@ PREDICTIONS = (
               'tells nobody why.'),
         wrong('900', 'The limits are not for the slider only. The server enforces them, in its own way: it moves the '
               'value to the limit.')),
+        scale=Scale(0, 1000, 50, 'rpm'),
         otherwise='It is 300. `dynamic_reconfigure` moves a value to its limit, and tells nobody why.'),
 )

@@ -1,6 +1,6 @@
 """Predictions of chapter 10.3: files, gains, and what a controller does with them."""
 
-from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, Scale, right, wrong
 
 SOLVED = 'The wheel runs as it should, and its gains are in a file that reaches it.'
 
@@ -52,6 +52,7 @@ PREDICTIONS = (
         right('5.0', 'The newer callback has acted before the older one rejected. What is stored, and what is in use, '
               'differ.'),
         wrong('0.1', 'That is what is stored. The newer callback has acted before the older one rejected.')),
+        scale=Scale(0, 6, 0.1),
         otherwise='It works with 5.0. The newer callback has acted before the older one rejected.'),
     Prediction('10.3-6', 'A file gives a gain for `weel_joint`, and the joint is called `wheel_joint`. What happens '
                'when the controller starts?', (

@@ -1,6 +1,6 @@
 """Predictions of chapter 10.4: rules, a schema, and old names."""
 
-from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, Scale, right, wrong
 
 SOLVED = 'You did not wait for a better ROS. You built it out of three callbacks.'
 
@@ -70,5 +70,6 @@ PREDICTIONS = (
               'one stays.'),
         wrong('10', 'The callback makes each of the two a change of both names. The later one stays, and that is 20.'),
         wrong('120', 'Nobody looks for the contradiction, and a pre-set callback could not reject it.')),
+        scale=Scale(0, 140, 10, 'rpm'),
         otherwise='It holds 20. The callback makes each of the two a change of both names, and the later one stays.'),
 )

@@ -1,6 +1,6 @@
 """Predictions of chapter 11: two robots from one file, and a drive in the cold."""
 
-from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, Scale, right, wrong
 
 SOLVED = 'Your package is released: others can build it, start two robots with it, and trust what it says.'
 
@@ -23,10 +23,12 @@ PREDICTIONS = (
                'speed, in m/s, does `/right/driver` hold?', (
         right('0.8', 'A parameter belongs to one node. The file gave both the same start, and no more.'),
         wrong('0.4', 'A parameter belongs to one node. The file gave both the same start, and no more.')),
+        scale=Scale(0, 1, 0.1, 'm/s'),
         otherwise='It holds 0.8: a parameter belongs to one node.'),
     Prediction('11-2', 'The same way at 1.0 m/s, on a warm day with 1.0 m/s². How many seconds does the robot save?', (
         right('1.0', 'It speeds up and brakes in half the time. The way at full speed is as long as before.'),
         wrong('3.9', 'Only speeding up and braking get faster. The way at full speed is as long as before.'),
         wrong('2.0', '*v* / *a* goes from 2 seconds to 1.')),
+        scale=Scale(0, 6, 0.1, 's'),
         otherwise='It saves 1.0 s: *v* / *a* goes from 2 seconds to 1.'),
 )

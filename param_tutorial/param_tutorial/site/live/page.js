@@ -33,6 +33,8 @@ class Cell {
   outputs = [];
   /** By the names of the widgets. @type {Map<string, View>} */
   views = new Map();
+  /** Called once, when it has run. @type {(() => void)[]} */
+  waiting = [];
 
   /**
    * @param {CellFacts} facts
@@ -152,6 +154,7 @@ export class Page {
   /** @param {string} why */
   die(why) {
     console.warn(why);
+    for (const {waiting} of this.cells) for (const each of waiting.splice(0)) each();
     this.say('dead', 'Python could not be started, so this page shows what it was built with. Reload it to try again.');
   }
 
@@ -288,6 +291,7 @@ export class Page {
     cell.element?.removeAttribute('aria-busy');
     if (cell.isAsked || cell.digest !== cell.facts.digest) cell.show();
     cell.isRunning = false;
+    for (const each of cell.waiting.splice(0)) each();
     const shown = new Set(cell.outputs.map(output => output.drawn));
     for (const [root, view] of cell.views) {
       if (shown.has(view.element)) continue;
@@ -323,17 +327,35 @@ function loadEditors() {
   return /** @type {Promise<typeof import('./editor.js')>} */ (editors);
 }
 
+/** @type {Page | undefined} */
+let page;
+
+/**
+ * Run the cell that decides a prediction.
+ * @param {HTMLElement} question
+ * @returns {Promise<void>} Ends when it has run; at once if the page has no such cell, or no Python.
+ */
+export async function runBelow(question) {
+  const own = page?.cells.findIndex(({element}) => element?.contains(question)) ?? -1;
+  const cell = page?.cells[own + 1];
+  if (own < 0 || !cell || cell.isOwn || document.documentElement.dataset.node === 'dead') return;
+  const hasRun = /** @type {Promise<void>} */ (new Promise(resolve => cell.waiting.push(resolve)));
+  page?.run(cell);
+  await hasRun;
+}
+
 /** Bring the page to life if it has a kernel. */
 export async function beginLive() {
   const facts = document.querySelector('script.live-cells');
   if (!facts) return;
-  const page = new Page(JSON.parse(facts.textContent ?? ''));
+  const live = new Page(JSON.parse(facts.textContent ?? ''));
+  page = live;
   const codes = await keptCode();
-  for (const cell of page.cells) {
-    if (cell.element?.querySelector('.cell_input')) letEdit(page, cell, codes[cell.facts.id]);
+  for (const cell of live.cells) {
+    if (cell.element?.querySelector('.cell_input')) letEdit(live, cell, codes[cell.facts.id]);
   }
   // A reader who reads is not kept from it, and who touches something need not wait as long.
-  const soon = () => page.begin();
+  const soon = () => live.begin();
   for (const kind of ['pointerdown', 'keydown']) addEventListener(kind, soon, {once: true});
   if (!(/** @type {any} */ (navigator).connection?.saveData)) setTimeout(soon, 1500);
 }

@@ -2,6 +2,7 @@
 
 import {all, make, one} from '../../../param_tools/panel/dom.js';
 import {askForPrediction} from '../../exercises/prediction.js';
+import {runBelow} from '../live/page.js';
 import {answerTo, forgetAnswer, isDue, keepAnswer} from './progress.js';
 
 /**
@@ -53,15 +54,22 @@ function showAnswer(question) {
 }
 
 /**
- * Let the reader commit to an answer, which decides it: the page shows what happens from the start.
+ * Let the reader commit to an answer; then the cell runs that decides it.
  * @param {HTMLElement} question
  */
 export function askForPredictionOf(question) {
   const {number = '', decided} = question.dataset;
   const form = one(question, 'form', HTMLFormElement);
+  let isRunning = false;
   const show = askForPrediction(form, {
-    commit(answer, isRight) {
+    async commit(answer, _, isRight) {
+      isRunning = decided !== undefined;
       keepAnswer(number, answer, isRight);
+      if (isRunning) {
+        show(answer, false);
+        await runBelow(question);
+      }
+      isRunning = false;
       comeBack();
     },
     forget() {
@@ -73,7 +81,7 @@ export function askForPredictionOf(question) {
 
   function comeBack() {
     const kept = isDue(number) ? undefined : answerTo(number);
-    if (kept === undefined) return;
+    if (kept === undefined || isRunning) return;
     show(kept);
     if (decided !== undefined) showAnswer(question);
   }

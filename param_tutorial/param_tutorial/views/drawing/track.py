@@ -26,6 +26,12 @@ _PIECES = ((-62, 40, 200), (-105, 8, -310), (-38, 95, 150), (-148, 30, 420), (-8
            (-30, 22, -80), (-120, 84, 330), (-230, 12, -200), (-66, 112, 90), (-170, 58, 510), (-270, 4, 380))
 
 
+# Where a reader has predicted that the robot stops; `exercises/marker.js` shows it and moves it.
+_GHOST = (f'<div class="track-robot track-ghost" hidden=""><svg><g transform="scale({_SCALE})">'
+          '<path class="robot-ghost" d="M-59 -26h55v17h-55zM-46 -18a9 9 0 1 0 .1 0M-17 -18a9 9 0 1 0 .1 0"/></g></svg>'
+          '<strong>you</strong></div>')
+
+
 @dataclass(frozen=True)
 class Moment:
     """The base and its track at one moment."""
@@ -127,7 +133,7 @@ def draw_track(moment: Moment) -> str:
         f'aria-label="{html.escape(moment.text)}"><div class="track-way" aria-hidden="true">{marks}'
         f'<div class="track-robot"><svg><g transform="scale({_SCALE})">{ray}'
         f'<g class="robot-machine" style="--crash:.6">{_machine()}</g></g></svg></div>'
-        f'<div class="track-wall"></div><div class="track-gap"></div>'
+        f'{_GHOST}<div class="track-wall"></div><div class="track-gap"></div>'
         f'<strong class="track-gap-words">{says["track-gap-words"]}</strong>'
         f'<div class="track-robot"><i class="track-end"></i><div class="track-arrow"><i class="track-arrow-shaft"></i>'
         f'<i class="track-arrow-head"></i><i class="track-arrow-command"></i>'
