@@ -77,7 +77,7 @@ def page_process(environment, tmp_path):
 
 
 def test_the_page_shows_and_changes_a_node_and_ends_with_its_kernel(browser, arm, page_process, environment, tmp_path):
-    process, address = page_process('/arm')
+    process, address = page_process()  # it opens the only node at once
     page = browser.new_page()
     elsewhere = []
     page.on('request', lambda request: request.url.startswith((address.partition('?')[0], 'data:', 'blob:'))

@@ -267,9 +267,8 @@ class LabPage:
         self.page.wait_for_function(f'() => {number} > {before}')
 
     def row(self, name: str) -> Locator:
-        """Find a parameter's row on the panel that is seen, by its label."""
-        label = self.page.locator(f'label:text-is("{name}")')
-        return self.page.locator('.param-row:visible').filter(has=label).first
+        """Find a parameter's row on the panel that is seen."""
+        return self.page.locator(f'.param-row[data-name="{name}"]:visible').first
 
     def box(self, name: str) -> Locator:
         """Find a parameter's text box, or check box, as a screen reader does: by its label."""

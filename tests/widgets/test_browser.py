@@ -78,6 +78,14 @@ def test_a_panel_is_opened_and_shut(shown):
     assert repr(shown) == '<ParameterBrowser: closed>'
 
 
+def test_the_first_node_is_opened_for_who_asks_for_that_and_only_once(ros, shown):
+    page = ParameterPanel(open_first=True)
+    wait_until(lambda: lines(page)['/arm']['is_open'], 'the first node to be opened')
+    assert [each['is_open'] for view in (page, shown) for each in lines(view).values()] == [True, False, False, False]
+    press(page, 'toggle', node='/arm')
+    wait_until(lambda: not lines(page)['/arm']['is_open'], 'it to be shut')
+
+
 def test_the_panel_of_a_node_that_has_gone_can_still_be_shut(ros, shown):
     press(shown, 'toggle', node='/fan')
     press(shown, 'toggle', node='/arm')

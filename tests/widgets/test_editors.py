@@ -16,7 +16,7 @@ from param_tools.panel import control
 from param_tools.panel.panel import ParameterPanel
 from tests.support.nodes import INT64_MAX
 from tests.support.strategies import INT64
-from tests.support.widgets import enter, is_locked, shows, slide
+from tests.support.widgets import enter, is_locked, says, shows, slide
 
 NODE = '/arm'
 
@@ -44,6 +44,7 @@ def test_an_empty_text_is_not_shown_as_not_set(arm):
     arm.settle()
     assert arm['calibrated_at'].value == ''
     assert [panel._front.markup.count('not set') for panel in (arm, ParameterPanel('/arm'))] == [0, 0]
+    assert 'value="" placeholder="empty text"' in arm._front.markup
 
 
 @pytest.mark.parametrize(('name', 'entered', 'stored', 'shown'), [
@@ -52,8 +53,10 @@ def test_an_empty_text_is_not_shown_as_not_set(arm):
     ('serial', ' -0x10 ', -16, ('-16',)),
     ('offset', '3', 3.0, ('3.0',)),
     ('offset', '.nan', math.nan, ('nan',)),
-    ('reach', '0.123456789', 0.123456789, ('0.123456789', 11)),
+    ('reach', '0.123456789', 0.123456789, ('0.123456789', 11.3)),
     ('tool', '  <b>ü 机械</b> "quoted" ', '  <b>ü 机械</b> "quoted" ', ('  <b>ü 机械</b> "quoted" ',)),
+    ('tool', r'"a\u202eb"', 'a\u202eb', (r'"a\u202eb"',)),  # as it is, it would be seen in another order
+    ('tool', r'"\"a\\u202eb\""', r'"a\u202eb"', (r'"\"a\\u202eb\""',)),  # which looks like that one
     ('notes', 'a\nb\n', 'a\nb\n', ('a\nb\n',)),
     ('flags', 'true, TRUE, false', [True, True, False], ('[true, true, false]',)),
     ('order', '', [], ('[]',)),
@@ -86,11 +89,12 @@ def test_what_is_no_value_springs_back_and_says_why(arm, name, entered, reason):
     enter(arm, name, entered)
     arm.settle()
     assert shows(arm, name) == before
-    assert arm[name].message == reason
+    assert says(arm, name) == ('rejected', reason)
 
 
 @pytest.mark.parametrize(('name', 'stored'), [
-    ('joints', {2: 9, 3: 12, 0: 1}), ('reach', {29: 0.3, 199: 2.0, 0: 0.01}), ('gains.kp', {3: 0.9, 4: 1.0, 0: 0.0})])
+    ('joints', {2: 9, 3: 12, 0: 1}), ('reach', {29: 0.3, 29.1: 0.301, 199: 2.0, 0: 0.01}),
+    ('gains.kp', {3: 0.9, 4: 1.0, 0: 0.0})])
 def test_a_slider_reaches_round_numbers_and_both_ends(arm, name, stored):
     for position, value in stored.items():
         slide(arm, name, position)
@@ -98,6 +102,18 @@ def test_a_slider_reaches_round_numbers_and_both_ends(arm, name, stored):
         assert values.same(arm[name].value, value)
         assert arm[name].message == ''
         assert shows(arm, name) == (repr(value), position)
+
+
+@pytest.mark.parametrize(('kind', 'limits', 'known'), [
+    (values.DOUBLE, Range(1e-9, 1e6, 0.0), {0: 1e-9, 180: 1.0, 180.1: 1.01, 181: 1.1, 299: 890000.0, 300: 1e6}),
+    (values.INTEGER, Range(1, 1_000_000, 0), {0: 1, 8: 9, 9: 10, 10: 11, 11: 13, 109: 1_000_000}),
+    (values.DOUBLE, Range(0.5, 100_000.5, 0.25), {0: 0.5, 1: 0.75}),
+    (values.INTEGER, Range(1, 10_000, 0), {1: 2, 9999: 10_000})])  # no more than four decades
+def test_beyond_four_decades_a_slider_is_logarithmic(kind, limits, known):
+    scale = control.scale_of(Descriptor('x', kind, '', '', False, False, limits), limits.from_value)
+    assert {position: scale.value(position) for position in known} == known
+    assert {scale.nearest(value): value for value in known.values()} == known
+    assert scale.is_logarithmic == (limits.to_value > 10_000)
 
 
 def test_a_locked_parameter_is_locked_and_the_node_has_the_last_word(arm):

@@ -42,7 +42,7 @@ param_tools.start()
 
 def add_to(commands: Commands) -> None:
     parser = commands.add_parser('panel', help='show and change parameters on a page in the browser')
-    parser.add_argument('nodes', nargs='*', metavar='NODE', help='the nodes to show; by default a list of all nodes')
+    parser.add_argument('nodes', nargs='*', metavar='NODE', help='the nodes to show; by default the first and a list')
     parser.add_argument('--port', type=int, default=_PORT, help=f'where to listen, or near it; default: {_PORT}')
     parser.add_argument('--no-browser', action='store_true', help='only print the address')
     parser.set_defaults(verb=panel)
@@ -120,8 +120,9 @@ def _files(notebook: dict[str, Any]) -> Iterator[Path]:
 
 
 def _notebook(nodes: Sequence[str]) -> dict[str, Any]:
-    """Return a notebook that shows the panels of nodes, or the list of all nodes."""
-    show = '\n'.join(f'display(ParameterPanel({node!r}))' for node in nodes) or 'display(ParameterPanel())'
+    """Return a notebook that shows the panels of nodes, or the list of all nodes with the first one open."""
+    show = '\n'.join(f'display(ParameterPanel({node!r}))' for node in nodes) or (
+        'display(ParameterPanel(open_first=True))')
     return {'nbformat': 4, 'nbformat_minor': 5,
             'metadata': {'kernelspec': {'name': 'python3', 'display_name': 'Python 3', 'language': 'python'}},
             'cells': [{'id': 'panel', 'cell_type': 'code', 'metadata': {}, 'execution_count': None, 'outputs': [],

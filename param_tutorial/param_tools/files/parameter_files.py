@@ -273,7 +273,12 @@ def format_scalar(value: bool | int | float | str) -> str:
         return value
     if value.isprintable():
         return "'" + value.replace("'", "''") + "'"
-    return '"' + ''.join(map(_escape, value)) + '"'
+    return quote(value)
+
+
+def quote(text: str) -> str:
+    """Return a text in double quotes, with escapes for what cannot be seen, as YAML reads it."""
+    return '"' + ''.join(map(_escape, text)) + '"'
 
 
 def _escape(char: str) -> str:

@@ -4,9 +4,12 @@ Numbers are edited as text: JavaScript has no 64-bit integers, and no browser's 
 wrong with "1,5".
 """
 
+import contextlib
+import json
 import math
 import re
-from collections.abc import Callable
+import shlex
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,6 +17,7 @@ import yaml
 
 from param_tools import values
 from param_tools.descriptor import Descriptor
+from param_tools.files.parameter_files import quote
 from param_tools.node.rules import ONE_OF, read_values
 
 
@@ -53,15 +57,30 @@ def _parse_string(text: str) -> str:
     return yaml.safe_load(text) if text[:1] in ('"', "'") else text
 
 
-def _quoted(text: str) -> str:
-    return yaml.safe_dump(text, default_style='"', width=math.inf, allow_unicode=True).strip()
+def _needs_quotes(text: str) -> bool:
+    """True if a part of a text cannot be seen, as U+202E, or if it would be read as another text."""
+    return not text.replace('\n', '').isprintable() or _unquoted(text) != text
+
+
+def _format_text(text: str) -> str:
+    return quote(text) if _needs_quotes(text) else text
+
+
+def _unquoted(text: str) -> str:
+    """Return what ``_format_text`` has put into quotes; any other text stays as it is, with its quotes."""
+    if len(text) > 1 and text[0] == text[-1] == '"':
+        with contextlib.suppress(yaml.YAMLError):
+            inner = yaml.safe_load(text)
+            if isinstance(inner, str) and _needs_quotes(inner):
+                return inner
+    return text
 
 
 _PLAIN = re.compile(r'\w([\w ./-]*\w)?')
 
 
 def _format_string(text: str) -> str:
-    return text if _PLAIN.fullmatch(text) else _quoted(text)
+    return text if _PLAIN.fullmatch(text) else quote(text)
 
 
 def _format_any(value: Any) -> str:
@@ -76,7 +95,7 @@ def _format_any_item(value: Any) -> str:
     if isinstance(value, str):
         # Parsed inside brackets, because there YAML's null is a value and not a text.
         plain = _PLAIN.fullmatch(value) and values.same(values.parse(f'[{value}]'), [value])
-        return value if plain else _quoted(value)
+        return value if plain else quote(value)
     return yaml.safe_dump(value).removesuffix('...\n').strip()
 
 
@@ -109,7 +128,7 @@ _FORMS = {
     values.BOOL: Form(lambda value: str(value).lower(), _parse_bool, 'true or false'),
     values.INTEGER: Form(str, _parse_integer, 'an integer, e.g. 42'),
     values.DOUBLE: Form(repr, _parse_double, 'a double, e.g. 0.5'),
-    values.STRING: Form(str, str, 'text'),
+    values.STRING: Form(_format_text, _unquoted, 'text'),
     values.BYTE_ARRAY: _array_of(Form(lambda byte: f'0x{byte[0]:02x}', _parse_byte, 'bytes, e.g. [0x00, 0xff]')),
     values.BOOL_ARRAY: _array_of(Form(lambda value: str(value).lower(), _parse_bool, 'booleans, e.g. [true, false]')),
     values.INTEGER_ARRAY: _array_of(Form(str, _parse_integer, 'integers, e.g. [1, 2, 3]')),
@@ -140,6 +159,24 @@ def format_value(descriptor: Descriptor, value: Any) -> str:
     return form.format(value)
 
 
+def format_commands(node: str, parameters: Mapping[str, Any]) -> str:
+    """Return lines for a shell that set parameters to values; a comment for each value that ROS's command can't write.
+
+    :param node: Fully qualified name of the node.
+    """
+    lines = []
+    for name, value in sorted(parameters.items()):
+        if values.type_of(value) is values.BYTE_ARRAY:  # an empty array counts as one, too
+            lines.append(f'# left out: {json.dumps(name)}: ros2 param set has no words for its value')
+            continue
+        text = _format_any(value)
+        # A blank, which YAML passes over, keeps the command from taking a text for an option.
+        if text.startswith('-') and not re.fullmatch(r'-\d+|-\d*\.\d+', text):
+            text = f' {text}'
+        lines.append(f'ros2 param set {shlex.join([node, name, text])}')
+    return ''.join(f'{line}\n' for line in lines)
+
+
 def parse_value(descriptor: Descriptor, text: str) -> Any:
     """Return the value that a person typed for a parameter.
 
@@ -150,6 +187,7 @@ def parse_value(descriptor: Descriptor, text: str) -> Any:
         value = form.parse(text)
     except (ValueError, KeyError, yaml.YAMLError):
         raise ValueError(f'{text!r} cannot be read: {descriptor.name} takes {form.example}') from None
+    values.type_of(value)  # raises an exception for what the message of ROS cannot carry
     items = value if isinstance(value, list) else [value]
     infinite = sum(isinstance(item, float) and math.isinf(item) for item in items)
     if infinite > len(re.findall('inf', text, re.IGNORECASE)):

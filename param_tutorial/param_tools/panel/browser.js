@@ -23,7 +23,8 @@ function render({model, el}) {
   const status = make('span', {className: 'param-status', role: 'status'});
   const list = make('ul', {className: 'node-list'});
   const title = make('span', {className: 'param-title', role: 'heading', ariaLevel: '3'}, 'Parameters of all nodes');
-  el.append(make('div', {className: 'param-head'}, title, status, search), list);
+  const hint = make('div', {className: 'node-hint'}, 'Choose the nodes whose parameters you want to see.');
+  el.append(make('div', {className: 'param-head'}, title, status, search), hint, list);
   /** @type {Map<string, HTMLElement>} */
   const lines = new Map();
 

@@ -34,12 +34,13 @@ class ParameterBrowser(FollowingView):
     Show it as the last line of a cell; ``ParameterPanel()`` makes one. ``browser['/node']`` is a node's ParameterPanel.
     """
 
-    def __init__(self, make_panel: Callable[..., View], *, timeout_sec: float = TIMEOUT_SEC):
+    def __init__(self, make_panel: Callable[..., View], *, timeout_sec: float = TIMEOUT_SEC, open_first: bool = False):
         """
         :param make_panel: ParameterPanel, whose file imports this one.
         :param timeout_sec: How long a node may take for each answer.
+        :param open_first: Whether the first node that there is is opened at once.
         """
-        self._make_panel, self._timeout_sec = make_panel, timeout_sec
+        self._make_panel, self._timeout_sec, self._open_first = make_panel, timeout_sec, open_first
         self._nodes: dict[str, LiveParameters] = {}
         """Those that are there, in the order of the alphabet. Replaced as a whole, so that any thread may iterate."""
         self._search = ''
@@ -138,6 +139,9 @@ class ParameterBrowser(FollowingView):
 
     def _show(self) -> None:
         self._follow_nodes()
+        if self._open_first and self._nodes:
+            self._open_first = False
+            self.show(next(iter(self._nodes)))
         is_searching = bool(self._search.strip())
         found = self.find(self._search) if is_searching else {name: [] for name in self._nodes}
         lines = {name: self._line(name, found.get(name, [])) for name in {*found, *self._panels}}

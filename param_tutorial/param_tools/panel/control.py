@@ -6,6 +6,7 @@
 import math
 import re
 import time
+from bisect import bisect_right
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from decimal import Decimal
@@ -24,7 +25,10 @@ _WAITING = 'Waiting for the node to answer…'
 # JavaScript's numbers are exact up to here.
 _JS_SAFE = 2**53
 # Positions of a slider whose range has no step: enough to feel smooth, few enough to land on round numbers.
-_FINE_POSITIONS = 100
+_POSITIONS = 100
+# A range whose ends are further apart than this factor has a logarithmic slider.
+_FOUR_DECADES = 10**4
+_DECADE = [Decimal(f'{10 ** (index / 20):.1f}') for index in range(20)]
 
 
 @dataclass(frozen=True)
@@ -43,6 +47,10 @@ class PanelRow:
     choices: tuple[str, ...] = ()
     last: int | None = None
     """The last position of its slider, counted from 0; None if it has none."""
+    is_fine: bool = False
+    """True if its slider also stands at tenths of a position."""
+    is_logarithmic: bool = False
+    """True if each position of its slider is about the same factor away from the next."""
     is_read_only: bool = False
     is_unset: bool = False
     is_quiet: bool = False
@@ -59,15 +67,17 @@ class RowState:
     """What a panel shows of a parameter's value."""
 
     text: str
-    position: int | None = None
+    position: float | None = None
     """Where its slider stands."""
     is_locked: bool = False
     is_busy: bool = False
     """True while the node has been asked for another value; the control shows what was entered until then."""
     message: tuple[str, str] | None = None
     """What to say beside the control: 'rejected', 'failed', 'waiting', 'adjusted' or 'locked', and the words."""
+    is_changed: bool = False
+    """True if it had another value at first, or none."""
     first: str | None = None
-    """What it had at first, if that is something else."""
+    """What it can be brought back to, if it is changed and had a value at first."""
 
     def as_json(self) -> dict[str, Any]:
         """Return it as the script takes it: with what is other than usual."""
@@ -76,43 +86,69 @@ class RowState:
 
 
 class Scale:
-    """The values at which a slider can stand, counted from 0; doubles are free of the noise of binary fractions."""
+    """The values at which a slider can stand, counted from 0; doubles are free of the noise of binary fractions.
+
+    Where the range has no step of its own, a slider also stands at tenths of a position.
+    """
 
     def __init__(self, limits: Range):
         self._limits, self._number = limits, type(limits.from_value)
-        self._low = Decimal(str(limits.from_value))
-        width = Decimal(str(limits.to_value)) - self._low
+        self._low, self._high = Decimal(str(limits.from_value)), Decimal(str(limits.to_value))
+        width = self._high - self._low
+        self.is_fine = self._number is float and not limits.step > 0
         if limits.step > 0:
             self._step = Decimal(str(limits.step))
         else:
             # Of doubles, one that gives round numbers. The hundredth part of the smallest double is 0.0, but not that
             # of the smallest Decimal.
-            self._step = Decimal(1) if self._number is int else Decimal(1).scaleb((width / _FINE_POSITIONS).adjusted())
-        self.last = math.ceil(width / self._step)
+            self._step = Decimal(1).scaleb((width / _POSITIONS).adjusted()) if self.is_fine else Decimal(1)
+        self.is_logarithmic = self._low > 0 and self._high > _FOUR_DECADES * self._low
+        self._stops = self._logarithmic_stops() if self.is_logarithmic else []
+        self.last = len(self._stops) - 1 if self._stops else math.ceil(width / self._step)
 
-    def value(self, position: int) -> Any:
+    def _logarithmic_stops(self) -> list[Decimal]:
+        """Return both ends and twenty round numbers for each decade, as far as the range's step has them."""
+        stops = [each.scaleb(decade) for decade in range(self._low.adjusted(), self._high.adjusted() + 1)
+                 for each in _DECADE]
+        if not self.is_fine:
+            stops = [self._low + round((each - self._low) / self._step) * self._step for each in stops]
+        return sorted({self._low, *(each for each in stops if self._low < each < self._high), self._high})
+
+    def _stop(self, index: int) -> Decimal:
+        return self._stops[index] if self._stops else self._low + index * self._step
+
+    def value(self, position: float) -> Any:
         """Return the value at a position. Both ends are valid even off the step, as the node sees it too."""
-        return self._limits.to_value if position >= self.last else self._number(self._low + position * self._step)
+        if position >= self.last:
+            return self._limits.to_value
+        index, tenths = divmod(Decimal(str(position)), 1)
+        stop = self._stop(int(index))
+        if tenths:
+            stop = min(self._high, stop + tenths * (self._stop(int(index) + 1) - stop))
+        return self._number(stop)
 
-    def nearest(self, value: float) -> int:
+    def nearest(self, value: float) -> float:
         """Return the position next to a value, which may be out of the range."""
-        below = math.floor((Decimal(str(value)) - self._low) / self._step)
-        return min((min(max(0, each), self.last) for each in (below, below + 1)),
-                   key=lambda each: abs(self.value(each) - value))
+        exact = min(max(self._low, Decimal(str(value))), self._high)
+        index = (min(bisect_right(self._stops, exact), self.last) - 1 if self._stops
+                 else math.floor((exact - self._low) / self._step))
+        low = self._stop(index)
+        parts = 10 if self.is_fine else 1
+        below = index * parts + math.floor((exact - low) * parts / (self._stop(index + 1) - low))
+        position = min((min(each, self.last * parts) / parts for each in (below, below + 1)),
+                       key=lambda each: abs(self.value(each) - value))
+        return int(position) if position == int(position) else position
 
 
 class Control:
     """One parameter on a panel: ``panel['max_speed_rpm']``."""
 
-    def __init__(self, live: LiveParameters, parameter: ParameterState, assign: Callable[['Control', Any], None],
-                 ask: Callable[['Control', Any, object], None]):
+    def __init__(self, live: LiveParameters, parameter: ParameterState, ask: Callable[['Control', Any, object], None]):
         """
         :param parameter: What it shows, one of ``live``.
-        :param assign: Called with the control and a value that code assigns.
-        :param ask: Called with the control, a value that a person entered, and the grip of ``slide``.
+        :param ask: Called with the control, a value that a person entered or code assigns, and the grip of ``slide``.
         """
-        self._live, self.parameter = live, parameter
-        self._assign, self._ask = assign, ask
+        self._live, self.parameter, self._ask = live, parameter, ask
         self.first = parameter.value
         """What it had when its node was added to the stage, or for any other node, when the panel first saw it."""
         self._shape: Any = None
@@ -132,13 +168,13 @@ class Control:
     def value(self) -> Any:
         """The value that the node confirmed last.
 
-        Assigning to it asks the node for another one, at once or, after ``ParameterPanel.gather``, with ``apply``.
+        Assigning to it asks the node for another one.
         """
         return self.parameter.value
 
     @value.setter
     def value(self, value: Any) -> None:
-        self._assign(self, fit(self.descriptor, value))
+        self._ask(self, fit(self.descriptor, value), None)
 
     @property
     def message(self) -> str:
@@ -171,10 +207,10 @@ class Control:
         else:
             self._ask(self, value, None)
 
-    def slide(self, position: int, grip: object = None) -> None:
+    def slide(self, position: float, grip: object = None) -> None:
         """Pull the slider to a position.
 
-        :param position: Counted from 0.
+        :param position: Counted from 0; a tenth of one if the slider stands at those.
         :param grip: Says which pull it belongs to: what is done in one pull is undone at once.
         """
         if self.scale is not None:
@@ -201,13 +237,14 @@ class Control:
             is_locked, message = True, message or ('locked', lock)
         scale = self._scale
         position = scale.nearest(value) if scale is not None and math.isfinite(value) else None
-        first = format_value(descriptor, self.first) if self.is_changed else None
-        return RowState(text, position, is_locked or descriptor.read_only, parameter.busy, message, first)
+        is_changed = self.is_changed
+        first = format_value(descriptor, self.first) if is_changed and self.first is not None else None
+        return RowState(text, position, is_locked or descriptor.read_only, parameter.busy, message, is_changed, first)
 
     @property
     def is_changed(self) -> bool:
-        """True if it can be brought back to another value, its first one."""
-        return not (self.descriptor.read_only or self.first is None or values.same(self.first, self.value))
+        """True if it can be set, and had another value at first, or none."""
+        return not (self.descriptor.read_only or values.same(self.first, self.value))
 
     def _fit_to_descriptor(self) -> None:
         """Choose editor and scale anew if the node describes the parameter in another way."""
@@ -249,7 +286,8 @@ def row_of(descriptor: Descriptor, value: Any, scale: Scale | None) -> PanelRow:
     return PanelRow(
         name=descriptor.name, editor=editor, kind=descriptor.type.label, description=descriptor.description,
         constraints=descriptor.additional_constraints, facts=tuple(facts), choices=choices,
-        last=scale.last if scale else None, is_read_only=descriptor.read_only,
+        last=scale.last if scale else None, is_fine=bool(scale and scale.is_fine),
+        is_logarithmic=bool(scale and scale.is_logarithmic), is_read_only=descriptor.read_only,
         is_unset=value is None, is_quiet=is_housekeeping(descriptor.name))
 
 

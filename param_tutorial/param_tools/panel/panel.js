@@ -10,11 +10,13 @@ import {initialize} from './front.js';
  *
  * What a panel shows of a parameter's value; see the class of this name in `control.py`.
  * @typedef {{text: string, position?: number, is_locked?: boolean, is_busy?: boolean, message?: string[] | null,
- *   first?: string}} RowState
+ *   is_changed?: boolean, first?: string}} RowState
  *
- * What a panel shows: why nothing can be changed now, whether there is something to undo, and rows by name; and of each
- * script that shows it, the number of the last entry that the kernel has passed on to the node.
- * @typedef {{status: string, undo: boolean, rows: Record<string, RowState>, passed_on: Record<string, number>}} PanelState
+ * What a panel shows: why nothing can be changed now, whether there is something to undo, what has changed as a parameter
+ * file and as commands, and rows by name; and of each script that shows it, the number of the last entry that the kernel
+ * has passed on to the node.
+ * @typedef {{status: string, undo: boolean, copies: string[], rows: Record<string, RowState>,
+ *   passed_on: Record<string, number>}} PanelState
  *
  * What a person entered: a text or a slider's position. `grip` counts how often the slider was taken hold of.
  * @typedef {{text?: string, position?: number, grip: number}} Entry
@@ -31,6 +33,8 @@ class PanelRow {
   entered = 0;
   grip = 0;
   isTyping = false;
+  /** Where the slider stood when it was taken hold of with Shift. @type {number | undefined} */
+  anchor;
   /** @type {RowState} */
   state = {text: ''};
   /** @type {string | undefined} */
@@ -81,7 +85,17 @@ class PanelRow {
         });
       }
       slider.addEventListener('keydown', event => panel.keep(event));
-      slider.addEventListener('input', () => this.enter({position: Number(slider.value)}));
+      for (const kind of /** @type {const} */ (['pointerdown', 'keydown', 'keyup'])) {
+        slider.addEventListener(kind, event => {
+          slider.step = (event.shiftKey && slider.dataset.fine) || '1';
+          this.anchor = kind === 'pointerdown' && event.shiftKey ? Number(slider.value) : undefined;
+        });
+      }
+      slider.addEventListener('input', () => {
+        // Held with Shift, it follows the mouse at a tenth of its speed.
+        if (this.anchor !== undefined) slider.value = String(this.anchor + (Number(slider.value) - this.anchor) / 10);
+        this.enter({position: Number(slider.value)});
+      });
     }
     this.back?.addEventListener('click', () => panel.send({do: 'reset', name: this.name}));
   }
@@ -129,7 +143,7 @@ class PanelRow {
     this.box.disabled = this.isLocked;
     if (this.slider) this.slider.disabled = this.isLocked;
     if (!this.isWaiting && !this.state.is_busy) this.drawValue();
-    this.element.classList.toggle('param-changed', this.state.first !== undefined);
+    this.element.classList.toggle('param-changed', this.state.is_changed === true);
     this.drawBack();
     this.drawMessage();
   }
@@ -204,6 +218,19 @@ class ParameterPanel {
     this.reset = one(root, '.param-reset', HTMLButtonElement);
     this.undo?.addEventListener('click', () => send({do: 'undo'}));
     this.reset.addEventListener('click', () => send({do: 'reset'}));
+    this.copy = /** @type {HTMLButtonElement | null} */ (root.querySelector('.param-copy'));
+    this.copies = all(root, '.param-copies textarea', HTMLTextAreaElement);
+    for (const text of this.copies) {
+      text.addEventListener('keydown', event => this.keep(event));
+      const button = /** @type {HTMLButtonElement} */ (text.nextElementSibling);
+      button.addEventListener('click', () => {
+        text.select();
+        // The clipboard's own interface is missing on a page that came over plain HTTP from another machine.
+        const isCopied = document.execCommand('copy');
+        if (isCopied) button.focus();
+        button.textContent = isCopied ? 'Copied' : 'Press Ctrl+C';
+      });
+    }
     root.addEventListener('keydown', event => this.onKey(event));
     this.search = /** @type {HTMLInputElement | null} */ (root.querySelector('.param-search'));
     this.search?.addEventListener('input', () => this.find());
@@ -240,14 +267,16 @@ class ParameterPanel {
    * @param {PanelState} state
    * @param {string} client Names this script in the state.
    */
-  show({status, undo, rows, passed_on: passedOn}, client) {
+  show({status, undo, copies, rows, passed_on: passedOn}, client) {
     this.isLocked = Boolean(status);
     this.passedOn = passedOn[client] ?? 0;
     this.status.textContent = status || (this.status.dataset.count ?? '');
     this.status.classList.toggle('param-status-bad', this.isLocked);
     for (const [name, row] of this.rows) if (rows[name]) row.show(rows[name]);
     if (this.undo) this.undo.disabled = this.isLocked || !undo;
-    this.reset.disabled = this.isLocked || ![...this.rows.values()].some(row => 'first' in row.state);
+    this.reset.disabled = this.isLocked || !copies.length;
+    if (this.copy) this.copy.disabled = !copies.length;
+    for (const [index, text] of this.copies.entries()) text.value = copies[index] ?? '';
   }
 
   /**

@@ -22,12 +22,14 @@ from rclpy.node import Node
 
 from param_tools import values
 from param_tools.errors import ExecutorError, ParameterNotDeclaredError, WaitTimeoutError
+from param_tools.files import parameter_files
 from param_tools.markup.scripts import bundle
 from param_tools.markup.styles import style
 from param_tools.markup.wording import format_count
 from param_tools.node.client import ParameterClient, node_name
 from param_tools.node.live import FIRST_LOOK_TIMEOUT_SEC, LiveParameters
 from param_tools.node.live_state import ParameterState
+from param_tools.node.text import format_commands
 from param_tools.panel.control import Control, PanelRow
 from param_tools.panel.drawing import arrange, panel_markup
 from param_tools.panel.front import Front
@@ -37,6 +39,9 @@ from param_tools.ros.services import TIMEOUT_SEC
 
 # Values by the parameters' names.
 State = dict[str, Any]
+
+_NO_WAY_BACK = ('it had no value at first, and ROS cannot unset a parameter: it can only delete one, if its type is '
+                'dynamic')
 
 _STYLE = style('param_tools/panel/panel.css')
 
@@ -82,7 +87,7 @@ class ParameterPanel(ParameterView):
         """
         :param node: The node or its name; it may be on a robot far away, and it may be absent now.
         :param names: Only these parameters, in this order; by default all that the node has.
-        :param tools: Whether its head has *Undo* beside *Reset*.
+        :param tools: Whether its head has *Undo* and *Copy* beside *Reset*.
         :param timeout_sec: How long the node may take for each answer.
         :param patience_sec: How long to wait for the first answers; later ones are shown when they come.
         :param search: What its search field begins with.
@@ -97,8 +102,6 @@ class ParameterPanel(ParameterView):
         self._followed: list[tuple[str, ParameterState]] = []
         self._rows: list[PanelRow] | None = None
         self._first_values: dict[str, ParameterValue] | None = None
-        # What code wants together; None if each change is sent at once.
-        self._gathered: State | None = None
         # Of each script that shows the panel, the number of the last entry that has been passed on.
         self._passed_on: dict[str, int] = {}
         self._front = _Front(search=search)
@@ -144,25 +147,8 @@ class ParameterPanel(ParameterView):
 
     @property
     def changed(self) -> State:
-        """What differs from its first values: these, by the parameters' names."""
+        """What differs from its first values: these, by the parameters' names; None for one that had no value."""
         return {name: control.first for name, control in self._controls.items() if control.is_changed}
-
-    def gather(self) -> None:
-        """From now on keep the values that code assigns to controls, until ``apply`` sends them together."""
-        self._gathered = {}
-
-    def apply(self) -> str:
-        """Send what was gathered as one request, which the node accepts or rejects as a whole.
-
-        :return: Why the node rejected it; empty if it was accepted.
-        :raises NodeError: the node is not there, or does not answer.
-        :raises WaitTimeoutError: the node does not answer in time.
-        """
-        with self._as_one_edit():
-            wanted, self._gathered = self._gathered, None
-            results = ParameterClient(self.node).set_parameters_atomically(wanted) if wanted else []
-            self.settle()
-            return next((each.reason or 'The node gave no reason.' for each in results if not each.successful), '')
 
     def undo(self) -> None:
         """Take back the last change made in this panel, and wait until the node has done so.
@@ -202,7 +188,11 @@ class ParameterPanel(ParameterView):
                     self._show()  # what can be undone now
 
     def _bring_back(self, wanted: State) -> None:
-        """Ask for values until the node has them, or takes no more of them."""
+        """Ask for values until the node has them, or takes no more of them; say of None that there is no way."""
+        for name in [name for name, value in wanted.items() if value is None]:
+            del wanted[name]
+            if name in self and self[name].value is not None:
+                self._live.reject(self[name].parameter, _NO_WAY_BACK)
         # In any order: a value that a rule rejects at first may be accepted once the others are there.
         for _ in range(len(wanted)):
             different = [name for name, value in wanted.items()
@@ -214,9 +204,8 @@ class ParameterPanel(ParameterView):
             self.settle()
 
     def _values(self) -> State:
-        """Return what can be set and has a value; a parameter without one can't be set back to that."""
-        return {name: each.value for name, each in self._followed
-                if each.value is not None and not each.descriptor.read_only}
+        """Return what can be set."""
+        return {name: each.value for name, each in self._followed if not each.descriptor.read_only}
 
     def _end_edit(self, edit: _Edit) -> None:
         """Keep an edit for undo, if it has changed anything."""
@@ -230,13 +219,6 @@ class ParameterPanel(ParameterView):
             self._last_edit = edit
 
     # -- what is wanted -----------------------------------------------------------------------------------
-
-    def _assign(self, control: Control, value: Any) -> None:
-        """Ask for a value that code assigns, or gather it."""
-        if self._gathered is None:
-            self._ask(control, value)
-        else:
-            self._gathered[control.name] = value
 
     def _ask(self, control: Control, value: Any, grip: object = None) -> None:
         """Ask for a value; see ``Control.slide`` for the grip."""
@@ -291,10 +273,15 @@ class ParameterPanel(ParameterView):
             if rows != self._rows:
                 self._rows = rows
                 self._front.markup = _STYLE + panel_markup(
-                    self.node, rows, states, status=live.status, tools=self._tools)
+                    self.node, rows, states, status=live.status, tools=self._tools, is_open=self._in_order)
             self._front.state = {
                 'status': live.status, 'undo': self._last_edit is not None, 'passed_on': dict(self._passed_on),
-                'rows': {name: state.as_json() for name, state in states.items()}}
+                'copies': self._copies(), 'rows': {name: state.as_json() for name, state in states.items()}}
+
+    def _copies(self) -> list[str]:
+        """Return what has changed, as a parameter file and as commands."""
+        changed = {name: self[name].value for name in self.changed}
+        return [parameter_files.render(self.node, changed).text, format_commands(self.node, changed)] if changed else []
 
     def _learn_first_values(self) -> None:
         """Let each control of a node on the stage go back to what the node began with.
@@ -318,7 +305,7 @@ class ParameterPanel(ParameterView):
         for name, parameter in parameters.items():
             control = old.get(name)
             if control is None or control.parameter is not parameter:
-                control = Control(self._live, parameter, self._assign, self._ask)
+                control = Control(self._live, parameter, self._ask)
                 if name in old:
                     control.first = old[name].first
             controls[name] = control
