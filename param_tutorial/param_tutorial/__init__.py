@@ -8,8 +8,8 @@ downward only (README.md one folder up says what each room is for, and a test ho
     site
     teacher
     exercises
-    package
     notebook
+    package
     views
     learner
     nodes

@@ -89,7 +89,7 @@ def words_of(notebook):
 def test_what_goes_deeper_is_one_short_notebook_a_subject():
     page = (ROOT / 'notebooks/index.md').read_text()
     assert sorted(re.findall(r'\(deeper/(\w+\.ipynb)\)', page)) == sorted(DEEPER)
-    assert len(DEEPER) <= 13 and sum(map(words_of, DEEPER.values())) <= 10_000
+    assert len(DEEPER) <= 12 and sum(map(words_of, DEEPER.values())) <= 10_000
     links = {target for chapter in CHAPTERS.values() for cell in chapter.cells if cell.cell_type == 'markdown'
              for target in re.findall(r'\(deeper/(\w+\.ipynb)', cell.source)}
     assert links == set(DEEPER)
