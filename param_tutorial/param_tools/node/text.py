@@ -62,12 +62,8 @@ def _needs_quotes(text: str) -> bool:
     return not text.replace('\n', '').isprintable() or _unquoted(text) != text
 
 
-def _format_text(text: str) -> str:
-    return quote(text) if _needs_quotes(text) else text
-
-
 def _unquoted(text: str) -> str:
-    """Return what ``_format_text`` has put into quotes; any other text stays as it is, with its quotes."""
+    """Return what stands in quotes if it needs them; any other text stays as it is, with its quotes."""
     if len(text) > 1 and text[0] == text[-1] == '"':
         with contextlib.suppress(yaml.YAMLError):
             inner = yaml.safe_load(text)
@@ -128,7 +124,7 @@ _FORMS = {
     values.BOOL: Form(lambda value: str(value).lower(), _parse_bool, 'true or false'),
     values.INTEGER: Form(str, _parse_integer, 'an integer, e.g. 42'),
     values.DOUBLE: Form(repr, _parse_double, 'a double, e.g. 0.5'),
-    values.STRING: Form(_format_text, _unquoted, 'text'),
+    values.STRING: Form(lambda text: quote(text) if _needs_quotes(text) else text, _unquoted, 'text'),
     values.BYTE_ARRAY: _array_of(Form(lambda byte: f'0x{byte[0]:02x}', _parse_byte, 'bytes, e.g. [0x00, 0xff]')),
     values.BOOL_ARRAY: _array_of(Form(lambda value: str(value).lower(), _parse_bool, 'booleans, e.g. [true, false]')),
     values.INTEGER_ARRAY: _array_of(Form(str, _parse_integer, 'integers, e.g. [1, 2, 3]')),

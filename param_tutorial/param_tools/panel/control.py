@@ -45,12 +45,8 @@ class PanelRow:
     facts: tuple[str, ...] = ()
     """What its descriptor says beside the type, e.g. its range."""
     choices: tuple[str, ...] = ()
-    last: int | None = None
-    """The last position of its slider, counted from 0; None if it has none."""
-    is_fine: bool = False
-    """True if its slider also stands at tenths of a position."""
-    is_logarithmic: bool = False
-    """True if each position of its slider is about the same factor away from the next."""
+    scale: 'Scale | None' = None
+    """Where its slider can stand; None if it has none."""
     is_read_only: bool = False
     is_unset: bool = False
     is_quiet: bool = False
@@ -107,7 +103,7 @@ class Scale:
         self.last = len(self._stops) - 1 if self._stops else math.ceil(width / self._step)
 
     def _logarithmic_stops(self) -> list[Decimal]:
-        """Return both ends and twenty round numbers for each decade, as far as the range's step has them."""
+        """Return both ends and at most twenty round numbers for each decade."""
         stops = [each.scaleb(decade) for decade in range(self._low.adjusted(), self._high.adjusted() + 1)
                  for each in _DECADE]
         if not self.is_fine:
@@ -286,8 +282,7 @@ def row_of(descriptor: Descriptor, value: Any, scale: Scale | None) -> PanelRow:
     return PanelRow(
         name=descriptor.name, editor=editor, kind=descriptor.type.label, description=descriptor.description,
         constraints=descriptor.additional_constraints, facts=tuple(facts), choices=choices,
-        last=scale.last if scale else None, is_fine=bool(scale and scale.is_fine),
-        is_logarithmic=bool(scale and scale.is_logarithmic), is_read_only=descriptor.read_only,
+        scale=scale, is_read_only=descriptor.read_only,
         is_unset=value is None, is_quiet=is_housekeeping(descriptor.name))
 
 

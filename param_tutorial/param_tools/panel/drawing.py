@@ -90,10 +90,10 @@ def _row(row: PanelRow, state: RowState, name: str, *, is_locked: bool) -> str:
         ('quiet', row.is_quiet), ('long', not row.is_number), ('changed', state.is_changed)) if so)
     label = html.escape(row.name)
     parts = re.sub('([_.])', r'\1<wbr>', label)
-    hint = ['Logarithmic'] * row.is_logarithmic + ['Hold Shift for a tenth'] * row.is_fine
-    slider = ('' if row.last is None else
-              f'<input type="range" class="param-slider" autocomplete="off" min="0" max="{row.last}" '
-              f'value="{state.position or 0}" data-fine="{0.1 if row.is_fine else 1}" title="{". ".join(hint)}" '
+    slider = ('' if row.scale is None else
+              f'<input type="range" class="param-slider" autocomplete="off" min="0" max="{row.scale.last}" '
+              f'value="{state.position or 0}" data-fine="{0.1 if row.scale.is_fine else 1}" '
+              f'title="{"Logarithmic. " * row.scale.is_logarithmic}Hold Shift for finer steps" '
               f'aria-label="{label}, slider" aria-valuetext="{html.escape(state.text)}"{off}>')
     back = '' if row.is_read_only else '<button type="button" class="param-back" hidden></button>'
     return (f'<div class="param-row{kinds}" data-name="{label}" data-editor="{row.editor}">'
