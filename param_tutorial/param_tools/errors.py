@@ -1,4 +1,4 @@
-"""Every exception that the tools raise on purpose. No ROS, no Jupyter.
+"""Every exception that the tools raise on purpose, and the causes of some that others raise. No ROS, no Jupyter.
 
     ParameterToolError
     ├── ExecutorError               the background executor cannot do what was asked
@@ -24,8 +24,25 @@ becomes a ParameterRejectedError on request.
 
 import copyreg
 import difflib
+import linecache
+import re
+import traceback
 from collections.abc import Sequence
 from typing import Any, Protocol
+
+# What to think of if an exception, with its line, is like this.
+_CAUSES = (
+    (r'takes \d+ positional arguments? but \d+ w', 'The first parameter of a method is `self`: the object itself'),
+    (r"'NoneType' object is not callable|\.(\w+)\(\) missing .*self\.\1\(\)",
+     'A callback is given by its name alone, without parentheses'),
+    (r"SetParametersResult' object is not iter", 'A pre-set callback returns a list; a judge is an on-set callback'),
+    (r"'(function|method|Future)' object has no attribute '(successful|results?|values)'",
+     'It is a future, whose answer has still to come'),
+    (r"'NoneType' object has no attribute '(results?|values|types|descriptors)'",
+     '`None` is an answer that has not come: `result()` of a future does not wait for it'),
+    (r"Range' object is not subs", 'A descriptor has its range in a list, in brackets'),
+    (r'create (publisher|subscription): ', 'That topic may have messages of another type'),
+)
 
 
 class ParameterToolError(Exception):
@@ -173,6 +190,20 @@ class ParameterRejectedError(NodeError):
 def describe_error(error: BaseException) -> str:
     """Return an error as a sentence for learners; one that is not ours keeps its class, since its text may be terse."""
     return str(error) if isinstance(error, ParameterToolError) else f'{type(error).__name__}: {error}'
+
+
+def cause(error: BaseException) -> str:
+    """Return what to think of if an exception does not name its cause, as a sentence without its period; or nothing."""
+    line = ''
+    for frame, number in [*traceback.walk_tb(error.__traceback__)][-1:]:
+        line = linecache.getline(frame.f_code.co_filename, number, frame.f_globals)
+        name, owner = getattr(error, 'name', None), frame.f_locals.get('self')
+        if isinstance(error, NameError) and hasattr(owner, str(name)):
+            return f'`self.` is missing before `{name}`'
+        code = getattr(getattr(type(owner), '__init__', None), '__code__', None)
+        if isinstance(error, (NameError, AttributeError)) and code and name in code.co_varnames:
+            return f'In `__init__`, `{name}` has no `self.` in front, so no other method sees it'
+    return next((words for pattern, words in _CAUSES if re.search(pattern, f'{error} {line}')), '')
 
 
 def nearest(name: str, existing: Sequence[str], none_at_all: str) -> str:

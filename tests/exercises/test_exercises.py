@@ -17,6 +17,7 @@ from param_tutorial.exercises.results import Finding, Result
 from param_tutorial.learner.progress import FILE, VARIABLE, own_progress
 from param_tutorial.nodes.base_node import BaseNode
 from tests.support.answers import blank, cell, not_yet, solution
+from tests.support.kernels import Kernel
 
 
 def test_the_stored_answer_to_each_blank_is_that_nothing_is_done_and_the_first_hint_unless_it_begins_with_what_works():
@@ -214,6 +215,60 @@ def test_a_finding_quotes_the_line_that_raised(ros, tmp_path):
     exec(compile(path.read_text(), str(path), 'exec'), space)
     assert 'in the line `return results[9]`' in ' '.join(repr(exercises.check(
         '5.3c', space['rejected'])).split())
+
+
+# Notes what a cell displays, in order, and what it prints.
+SHOWN = '''
+import os, param_tutorial
+from IPython.utils.capture import capture_output
+from rclpy.node import Node
+from param_tutorial import exercises
+os.environ['PARAM_TUTORIAL_PROGRESS'] = {file!r}
+
+class Rover(Node):
+    def __init__(self):
+        super().__init__('rover')
+        print('A rover.')
+        self.declare_parameter('max_speed_mps', 1.0)
+
+param_tutorial.start()
+with capture_output() as captured:
+    result = exercises.check('3b', Rover)
+for each in captured.outputs:
+    print(each.update, str(each.data.get('text/plain')).splitlines()[-1])
+print(captured.stdout.count('A rover.'), result.score)
+'''
+
+
+def test_while_a_check_tries_a_cell_shows_what_it_tries_and_nothing_of_that_stays(tmp_path):
+    kernel = Kernel()
+    try:
+        shown = kernel.run(SHOWN.format(file=str(tmp_path / FILE)), cell='check').splitlines()
+        assert kernel.run(SHOWN.format(file=''), cell='check').splitlines() == shown[-1:]
+    finally:
+        kernel.kill()
+    tried = [f'True Trying {position} of 4: {each.sentence}'
+             for position, each in enumerate(EXERCISES['3b'].requirements, 1)]
+    assert shown[:-1] == ['False None', *tried, 'True None']
+    assert int(shown[-1].split()[0]) > 1
+
+
+def test_a_learner_gets_the_hints_that_a_check_has_not_said_as_buttons_and_then_a_link(ros, monkeypatch, tmp_path):
+    class Half(Node):
+        def __init__(self):
+            super().__init__('rover')
+            self.declare_parameter('max_speed_mps', 1.0)
+
+    stored = exercises.check('3b', Half)._repr_html_()
+    assert 'param-help' not in stored
+    monkeypatch.setenv(VARIABLE, str(tmp_path / FILE))
+    begun, untried, done = (exercises.check('3b', work) for work in (Half, 5, solution('3b')))
+    assert begun._repr_html_().startswith(stored.removesuffix('</div>'))
+    names = [re.findall('<summary>(.*?)</summary>', each._repr_html_()) for each in (begun, untried, done)]
+    assert names == [[*(f'Hint {number} of 3' for number in (1, 2, 3)), 'A worked solution'],
+                     ['Hint 2 of 3', 'Hint 3 of 3', 'A worked solution'], []]
+    for each in (begun, untried, done):
+        assert each._repr_html_().count(f'<a href="{EXERCISES["3b"].solutions}">') == 1
 
 
 @pytest.mark.parametrize(('replaced', 'has_link'), [(('(self):', '(self)'), False), (('(Node)', ''), True)])

@@ -27,12 +27,16 @@ what was expected and what happened; ``NoUse`` ends the check, as nothing else c
 findings become a ``Result``, and ``learner.progress`` keeps what is solved.
 """
 
+import contextlib
 import pkgutil
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from importlib import import_module
 from typing import Any
 
+from IPython.display import DisplayHandle, display
+
 from param_tools.errors import nearest
+from param_tools.panel.close_with_cell import this_cell
 from param_tutorial.exercises import chapters
 from param_tutorial.exercises.chapter_progress import Chapter, ChapterProgress
 from param_tutorial.exercises.exercise import Exercise
@@ -76,21 +80,40 @@ def check(number: str = '', work: Any = _FORGOTTEN) -> Answer:
         return _unknown(number)
     if work is _FORGOTTEN:
         return exercise.without_work()
-    result = exercise.check(work)
+    file = own_progress()
+    with _shown_meanwhile() if file else contextlib.nullcontext(lambda _: None) as tell:
+        result = exercise.check(work, tell)
     if result.done:
         passed.add(exercise.number)
-    file = own_progress()
     if file is None:
         return result
     missed = {each.sentence: each.happened for each in result.findings if each.done is False}
     note = (file.add_solved(exercise.number) if result.done
             else file.add_tried(exercise.number, result.count, missed))
+    result.help = exercise.help_after(result)
     result.text = f'{result.text} {note}'.strip()
     if result.done:
         remembered, _ = file.read()
         ticks.tick(file.path.parent, {chapter.name: [each.number for each in chapter.exercises]
                                       for chapter in CHAPTERS.values()}, remembered.solved)
     return result
+
+
+@contextlib.contextmanager
+def _shown_meanwhile() -> Iterator[Callable[[Answer], object]]:
+    """Yield a function that shows an answer below the cell, in place of the one before; afterwards none is there.
+
+    Not by clearing the output: what callbacks print meanwhile stays.
+    """
+    if this_cell()[0] is None:  # a console would print each of them
+        yield lambda _: None
+        return
+    place = DisplayHandle()
+    display({}, raw=True, display_id=place.display_id)
+    try:
+        yield place.update
+    finally:
+        place.update({}, raw=True)
 
 
 def hint(number: str = '') -> Answer:

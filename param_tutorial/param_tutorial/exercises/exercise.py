@@ -1,14 +1,17 @@
 """What an exercise is: requirements, each a sentence and a function that tries it out, and how they are checked."""
 
+import functools
 import inspect
 import re
 from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 from typing import Any, NamedTuple
 
 from rclpy.node import Node
 
 from param_tools import values
 from param_tools.errors import ExecutorError, NoAnswerError
+from param_tools.markup.tables import with_code
 from param_tools.ros import no_input
 from param_tutorial.exercises.results import Answer, Finding, Result
 from param_tutorial.exercises.trial import (
@@ -149,8 +152,11 @@ class Exercise:
         after = f'the next: `exercises.hint({self.number!r})`' if position < count else 'the last'
         return f'Hint {position} of {count} ({after}). {self.hints[position - 1]}'
 
-    def check(self, work: Any) -> Result:
-        """Try out a learner's work; see ``exercises.check``."""
+    def check(self, work: Any, tell: Callable[[Result], object] = lambda _: None) -> Result:
+        """Try out a learner's work; see ``exercises.check``.
+
+        :param tell: Called before each requirement is tried out, with what was found so far.
+        """
         if not self.takes.fits(work):
             return self._result([self._nothing_to_try(work)])
         findings: list[Finding] = []
@@ -160,6 +166,7 @@ class Exercise:
             with no_input.forbidden(error_if_asked), borrowed_stage() as ros:
                 trial: Trial | None = None
                 for requirement in self.requirements:
+                    tell(self._so_far(findings))
                     try:
                         trial = trial or Trial(ros, self.takes.open(work))
                         findings.append(_try_out(requirement, trial))
@@ -179,6 +186,13 @@ class Exercise:
                                        f'it is called `{wrong[0]}`'))
         return self._result(findings, picture)
 
+    def _so_far(self, findings: list[Finding]) -> Result:
+        number, total = len(findings), len(self.requirements)
+        result = Result(self.number, findings, total,
+                        f'Trying {number + 1} of {total}: {self.requirements[number].sentence}')
+        result.heading = f'Exercise {self.number}'
+        return result
+
     def _nothing_to_try(self, work: Any) -> Finding:
         if isinstance(work, (type(None), bool, int, float, str)):
             shown = f'`{work!r:.60}`'
@@ -193,6 +207,16 @@ class Exercise:
             begun = any(finding.done for finding in findings)
             result.text = f'For a hint: `exercises.hint({self.number!r})`' if begun else self.hint(1)
         return result
+
+    def help_after(self, result: Result) -> str:
+        """Return the hints that a result doesn't hold, each a button within the one before, and a link, as HTML."""
+        link = f'<a href="{self.solutions}">Open {Path(self.solutions).name}</a>'
+        if result.done:
+            return link
+        names = [f'Hint {position} of {len(self.hints)}' for position, _ in enumerate(self.hints, 1)]
+        steps = [*zip(names, map(with_code, self.hints), strict=True), ('A worked solution', link)]
+        return functools.reduce(lambda inside, step: f'<details><summary>{step[0]}</summary><p>{step[1]}</p>{inside}'
+                                '</details>', reversed(steps[result.text == self.hint(1):]), '')
 
 
 def _of_another_type(given: Any, truth: Any) -> str:

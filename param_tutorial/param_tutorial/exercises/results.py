@@ -62,6 +62,8 @@ class Result(Answer):
         :param picture: What the work makes a node do, as HTML; the findings say in words what is to be seen.
         """
         self.findings = tuple(findings)
+        self.help = ''
+        """What follows in a notebook of a learner, as HTML; what is stored with the chapters has nothing here."""
         self.picture = picture
         self.done = all(finding.done for finding in findings)
         self.count = sum(finding.done is True for finding in findings)
@@ -80,7 +82,8 @@ class Result(Answer):
     def _repr_html_(self) -> str:
         items = ''.join(map(markup, self.findings))
         return (f'{STYLE}<div class="param-check"><p><b>{self.heading}</b>, {self.score}</p>'
-                f'{self.picture}<ul class="param-findings">{items}</ul><p>{with_code(self.text)}</p></div>')
+                f'{self.picture}<ul class="param-findings">{items}</ul><p>{with_code(self.text)}</p>'
+                + (f'<div class="param-help">{self.help}</div>' if self.help else '') + '</div>')
 
 
 def anchor(heading: str) -> str:

@@ -26,6 +26,7 @@ from param_tools.errors import (
     ParameterToolError,
     StuckError,
     WaitTimeoutError,
+    cause,
 )
 from param_tools.files.parsing import LOADER
 from param_tools.node.client import ParameterClient
@@ -34,7 +35,7 @@ from param_tools.ros import interrupts, stage
 from param_tools.ros.executor import BackgroundExecutor, Failure
 from param_tools.ros.service_types import SERVICE_TYPES
 from param_tools.ros.waiting import deadline, wait, wait_until
-from param_tutorial.package.loading import READERS, cause
+from param_tutorial.package.loading import READERS
 
 NodeT = TypeVar('NodeT', bound=Node)
 

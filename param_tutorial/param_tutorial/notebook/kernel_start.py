@@ -10,6 +10,7 @@ import sys
 from IPython.core.error import UsageError
 from IPython.core.interactiveshell import ExecutionResult, InteractiveShell
 
+from param_tools.errors import cause
 from param_tutorial.notebook import newest_kernel
 
 _ABOVE = 'run it first (in JupyterLab: Run → Run All Above Selected Cell).'
@@ -30,8 +31,5 @@ def after_cell(result: ExecutionResult) -> None:
               f'If a cell above defines {error.name}, {_ABOVE}', file=sys.stderr)
     elif isinstance(error, UsageError) and (magic := re.search('`(%%?(ros2|shell)[^`]*)` not found', str(error))):
         print(f'The first cell of the notebook makes {magic[1]} known; {_ABOVE}', file=sys.stderr)
-    elif error is not None and 'rclpy.node' in sys.modules:  # which takes its time to import
-        from param_tutorial.package.loading import cause
-
-        if why := cause(error):
-            print(f'{why}.', file=sys.stderr)
+    elif error is not None and (why := cause(error)):
+        print(f'{why}.', file=sys.stderr)

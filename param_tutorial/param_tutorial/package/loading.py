@@ -6,7 +6,6 @@ there are no others, that is ended after a time, as a callback is on the stage.
 
 import contextlib
 import linecache
-import re
 import sys
 import threading
 import traceback
@@ -17,7 +16,7 @@ from typing import TypeVar
 
 from rclpy.node import Node
 
-from param_tools.errors import ParameterToolError
+from param_tools.errors import ParameterToolError, cause
 from param_tools.ros import host, interrupts
 
 T = TypeVar('T')
@@ -25,19 +24,6 @@ T = TypeVar('T')
 LIMIT_SEC = 4.0
 # A name in each file of the reader's, by which a traceback tells its frames from those of ROS.
 READERS = '__my_robot__'
-# What to think of if an exception, with its line, is like this.
-_CAUSES = (
-    (r'takes \d+ positional arguments? but \d+ w', 'The first parameter of a method is `self`: the object itself'),
-    (r"'NoneType' object is not callable|\.(\w+)\(\) missing .*self\.\1\(\)",
-     'A callback is given by its name alone, without parentheses'),
-    (r"SetParametersResult' object is not iter", 'A pre-set callback returns a list; a judge is an on-set callback'),
-    (r"'(function|method|Future)' object has no attribute '(successful|results?|values)'",
-     'It is a future, whose answer has still to come'),
-    (r"'NoneType' object has no attribute '(results?|values|types|descriptors)'",
-     '`None` is an answer that has not come: `result()` of a future does not wait for it'),
-    (r"Range' object is not subs", 'A descriptor has its range in a list, in brackets'),
-    (r'create (publisher|subscription): ', 'That topic may have messages of another type'),
-)
 
 
 class LoadError(ParameterToolError):
@@ -119,20 +105,6 @@ def within_limit(job: Callable[[], T], path: Path) -> T:
     if errors:
         raise describe(errors[0], path) from None
     return results[0]
-
-
-def cause(error: BaseException) -> str:
-    """Return what to think of if an exception does not name its cause, as a sentence without its period; or nothing."""
-    line = ''
-    for frame, number in [*traceback.walk_tb(error.__traceback__)][-1:]:
-        line = linecache.getline(frame.f_code.co_filename, number, frame.f_globals)
-        name, owner = getattr(error, 'name', None), frame.f_locals.get('self')
-        if isinstance(error, NameError) and hasattr(owner, str(name)):
-            return f'`self.` is missing before `{name}`'
-        code = getattr(getattr(type(owner), '__init__', None), '__code__', None)
-        if isinstance(error, (NameError, AttributeError)) and code and name in code.co_varnames:
-            return f'In `__init__`, `{name}` has no `self.` in front, so no other method sees it'
-    return next((words for pattern, words in _CAUSES if re.search(pattern, f'{error} {line}')), '')
 
 
 def describe(error: BaseException, path: Path) -> LoadError:

@@ -44,6 +44,7 @@ export class Output {
     const {output_type, name, text, traceback, data} = this.said;
     if (output_type === 'stream') return this.block(name === 'stderr' ? 'stderr' : 'stream', text);
     if (output_type === 'error') return this.block('traceback', traceback.join('\n'));
+    if (!Object.keys(data).length) return make('div', {hidden: true});
     const html = data['text/html'] ?? marked.parse(data['text/markdown'] ?? '', {async: false});
     if (html) return make('div', {className: 'output text_html', innerHTML: clean(html)});
     const image = Object.keys(data).find(each => each.startsWith('image/'));

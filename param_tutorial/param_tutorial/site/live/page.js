@@ -279,7 +279,8 @@ export class Page {
         const before = cell.outputs[at];
         cell.outputs[at] = new Output({...before.said, ...output});
         if (cell.isDrawn) before.element.replaceWith(cell.outputs[at].element);
-        cell.show();
+        // The outputs on the page stay while a cell runs for the sake of another.
+        if (!cell.isRunning || cell.isAsked) cell.show();
       }
     }
   }

@@ -1,6 +1,6 @@
 /* What the course adds to JupyterLab: a widget whose kernel has ended says so, and a click on it runs its cell again.
    Text is as wide as the pictures, and what is printed breaks between words. The list of files shows no folder but the
-   learner's own: links lead to the others.
+   learner's own: links lead to the others. The hints of a check look like buttons.
 
    JupyterLab marks each widget of a kernel that was restarted with a broken link, and leaves its buttons to look alive.
    In a notebook that is opened again, it shows an error in the widget's place.
@@ -26,6 +26,9 @@ ${RESTARTED} > * { filter: grayscale(1); opacity: 0.55; pointer-events: none; in
 :is(.jp-RenderedHTML, .param-check) > svg[width="500"] { max-width: 100% !important; min-width: 356px; }
 .jp-RenderedMarkdown { max-width: 60em; }
 .jp-OutputArea-output pre { word-break: normal !important; overflow-wrap: anywhere; }
+.param-help { margin-top: 8px; }
+.param-help summary { width: fit-content; margin: 8px 0; padding: 2px 12px; border: 1px solid var(--jp-border-color1);
+  border-radius: 4px; background: var(--jp-layout-color2); cursor: pointer; list-style: none; }
 .jp-DirListing-item:is([title^='Name: solutions\\a '], [title^='Name: images\\a ']) { display: none; }
 @media print { ${RESTARTED}::before, ${REOPENED}::before { content: none !important; } }
 `;
