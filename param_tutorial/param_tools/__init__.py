@@ -40,8 +40,6 @@ with lazy.Imports(__name__) as _imports:
     from param_tools.files import parameter_files as parameter_files
     from param_tools.files.checking import check_files as check_files
     from param_tools.node.client import ParameterClient as ParameterClient
-    from param_tools.node.locks import locks as locks
-    from param_tools.node.rules import Rules as Rules
     from param_tools.panel.panel import ParameterPanel as ParameterPanel
     from param_tools.ros.executor import BackgroundExecutor as BackgroundExecutor
     from param_tools.ros.stage import start as start

@@ -8,7 +8,6 @@
     ├── WaitTimeoutError            a condition did not come true in time           (also TimeoutError)
     ├── InvalidValueError           this Python value cannot be a ROS parameter     (also ValueError)
     ├── ParameterFileError          a YAML file cannot be read or written faithfully (also ValueError)
-    ├── RuleError                   a rule for parameters makes no sense, or cannot be judged (also ValueError)
     └── NodeError                   about one node; carries ``.node``
         ├── NodeNotFoundError       there is no node of that name                   (also LookupError)
         ├── NoServiceError          the node is there, without this parameter service
@@ -79,10 +78,6 @@ class InvalidValueError(ParameterToolError, ValueError):
 
 class ParameterFileError(ParameterToolError, ValueError):
     """A parameter file cannot be read, or a value cannot be written so that rcl reads it back."""
-
-
-class RuleError(ParameterToolError, ValueError):
-    """A rule makes no sense for its parameters, or raised an exception instead of saying yes or no."""
 
 
 class NodeError(ParameterToolError):

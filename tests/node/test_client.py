@@ -306,31 +306,9 @@ def test_an_error_about_a_huge_value_is_short(ros):
     node = ros.add(Node, 'atlas')
     ros.run(lambda: node.declare_parameter('map', [0] * 10_000), 'declare')
     client = ParameterClient(node)
-    for shown in (client.set_parameter('map', [1] * 10_000), client.get_parameters(), client.reference()):
+    for shown in (client.set_parameter('map', [1] * 10_000), client.get_parameters()):
         assert '… (10000 elements)' in repr(shown)
         assert len(repr(shown)) < 1000
-
-
-class Told(Node):
-    """Says things that a table in Markdown could stumble over."""
-
-    def __init__(self):
-        super().__init__('told')
-        self.declare_parameter('a|b', 'x|`y`', ParameterDescriptor(description='<b>one</b> | two\n\nthree `four` \\|'))
-        self.declare_parameter('limits.low', 2, ParameterDescriptor(
-            description='In mm.', additional_constraints='Below high.', read_only=True,
-            integer_range=[IntegerRange(from_value=0, to_value=10, step=2)]))
-        self.declare_parameter('unset', Parameter.Type.DOUBLE)
-
-
-def test_a_reference_tells_of_every_parameter_of_the_node_itself(ros):
-    assert repr(ParameterClient(ros.add(Told)).reference()) == r"""
-| parameter | type | value | enforced | meaning |
-| --- | --- | --- | --- | --- |
-| `a\|b` | string | `` 'x\|`y`' `` |  | &lt;b>one&lt;/b> \| two three \`four\` \\\| |
-| `limits.low` | integer | `2` | 0 to 10 in steps of 2, read only | In mm. Below high. |
-| `unset` | double | `None` |  |  |
-""".lstrip()
 
 
 def test_clients_are_forgotten_unless_they_wait_for_an_answer(ros):

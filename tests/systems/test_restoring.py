@@ -3,11 +3,11 @@
 import hypothesis
 import hypothesis.strategies as st
 import pytest
-from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
+from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tools import ParameterSet, Rules, all_parameters, compare, restore, values
+from param_tools import ParameterSet, all_parameters, compare, restore, values
 from param_tutorial import ParameterClient
 from tests.support.nodes import Arm
 from tests.support.strategies import VALUES
@@ -27,7 +27,12 @@ class Robot(Node):
         self.declare_parameter('serial', 'S1', ParameterDescriptor(read_only=True))
         self.declare_parameter('unset', Parameter.Type.DOUBLE)
         self.declare_parameter('any', 'free', ParameterDescriptor(dynamic_typing=True))
-        Rules(self).check(['low_c', 'high_c'], lambda low, high: low < high, 'low_c must be below high_c')
+        self.add_on_set_parameters_callback(self.judge)
+
+    def judge(self, parameters):
+        after = {name: self.get_parameter(name).value for name in ('low_c', 'high_c')}
+        after.update((each.name, each.value) for each in parameters)
+        return SetParametersResult(successful=after['low_c'] < after['high_c'], reason='low_c must be below high_c')
 
 
 @pytest.fixture

@@ -15,7 +15,6 @@ from param_tools import values
 from param_tools.errors import ParameterNotDeclaredError
 from param_tools.files import parameter_files
 from param_tools.node.client import ParameterClient
-from param_tools.node.rules import Rules
 from param_tools.panel.panel import ParameterPanel
 from param_tools.ros import stage
 from param_tools.ros.waiting import wait_until
@@ -264,39 +263,6 @@ def test_what_a_callback_changes_is_undone_with_it(ros):
     panel.settle()
     panel.undo()
     assert (panel['one'].value, panel['other'].value) == (1, 5)
-
-
-def test_a_value_that_a_rule_chooses_is_chosen_from_a_list(ros):
-    class Colored(Node):
-        def __init__(self):
-            super().__init__('colored')
-            self.declare_parameters('', [('color', 'red'), ('free', 'red')])
-            Rules(self).one_of('color', ['red', 'gre;en', "it's; blue"]).length('color', 1, 20)
-
-    ros.add(Colored)
-    panel = ParameterPanel('/colored')
-    assert (panel['color'].row.editor, panel['color'].row.choices) == ('choice', ('red', 'gre;en', "it's; blue"))
-    assert panel['free'].row.editor == 'text'
-    assert '<option selected>red</option><option>gre;en</option>' in panel._front.markup
-    enter(panel, 'color', 'gre;en')
-    panel.settle()
-    assert panel['color'].value == 'gre;en'
-
-
-def test_what_can_change_only_while_another_parameter_has_a_value_is_locked_until_then(ros):
-    class Arm(Node):
-        def __init__(self):
-            super().__init__('arm')
-            self.declare_parameters('', [('moving', False), ('reach_m', 2)])
-            Rules(self).only_while('reach_m', 'moving', False)
-
-    node = ros.add(Arm)
-    panel = ParameterPanel('/arm')
-    assert not panel._front.state['rows']['reach_m'].get('is_locked')
-    node.set_parameters([Parameter('moving', value=True)])  # whatever does it
-    wait_until(lambda: panel._front.state['rows']['reach_m'].get('is_locked'), 'the panel to lock it')
-    assert says(panel, 'reach_m') == ('locked', 'It can change only while moving is False; now moving = True.')
-    assert not panel._front.state['rows']['moving'].get('is_locked')
 
 
 def test_while_the_node_thinks_the_panel_says_that_it_waits(ros):

@@ -1,1 +1,1 @@
-"""The parameters of one node: a client, its live state, rules, locks. No Jupyter."""
+"""The parameters of one node: a client and its live state. No Jupyter."""

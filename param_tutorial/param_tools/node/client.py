@@ -23,10 +23,9 @@ from rcl_interfaces.srv import (
 from rclpy.node import Node
 
 from param_tools import values
-from param_tools.descriptor import Descriptor, Descriptors, Range, is_housekeeping
+from param_tools.descriptor import Descriptor, Descriptors, Range
 from param_tools.errors import InvalidValueError, ParameterNotDeclaredError, ParameterRejectedError, nearest
 from param_tools.files import parameter_files
-from param_tools.node.reference import Reference, reference_of
 from param_tools.ros import stage
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.services import TIMEOUT_SEC, full_name
@@ -291,20 +290,6 @@ class ParameterClient:
         :raises ParameterNotDeclaredError: each time that the node was asked, one was deleted between two questions.
         """
         return _finish(self._questions.describe_and_get(names))
-
-    def reference(self, names: Iterable[str] | None = None) -> Reference:
-        """Return what the node tells of its parameters as a table in Markdown, for a README.
-
-        A descriptor holds no default, so the table shows the values of now: those of a node that has been started
-        without overrides are its defaults.
-
-        :param names: Which; by default all but those that every node has, in the order in which they were declared.
-        :raises ParameterNotDeclaredError: the node has no parameter of one of these names.
-        """
-        if names is None:
-            names = [name for name in self.list_parameters() if not is_housekeeping(name)]
-        wanted = _listed(names)
-        return reference_of(self.describe_parameters(wanted), self.get_parameters(wanted))
 
     def set_parameter(self, name: str, value: Any) -> SetResult:
         """Ask the node to set one parameter. A rejection is a result, not an exception.

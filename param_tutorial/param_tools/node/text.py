@@ -18,7 +18,6 @@ import yaml
 from param_tools import values
 from param_tools.descriptor import Descriptor
 from param_tools.files.parameter_files import quote
-from param_tools.node.rules import ONE_OF, read_values
 
 
 @dataclass(frozen=True)
@@ -201,12 +200,3 @@ def fit(descriptor: Descriptor, value: Any) -> Any:
         if descriptor.type is values.DOUBLE_ARRAY and isinstance(value, list):
             return [float(item) if type(item) is int else item for item in value]
     return value
-
-
-def choices_of(descriptor: Descriptor) -> list[Any]:
-    """Return the values that ``Rules.one_of`` allows for a parameter; none if its descriptor has no such rule.
-
-    The rule itself may be in another process, so its words in the descriptor are read.
-    """
-    _, _, rest = descriptor.additional_constraints.partition(ONE_OF.capitalize())
-    return [] if descriptor.type.is_array else read_values(rest)

@@ -7,7 +7,7 @@ import math
 import re
 import time
 from bisect import bisect_right
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any
@@ -16,10 +16,9 @@ from param_tools import values
 from param_tools.descriptor import Descriptor, Range, is_housekeeping
 from param_tools.node.live import LiveParameters
 from param_tools.node.live_state import ParameterState
-from param_tools.node.locks import Condition, conditions_of, unmet
-from param_tools.node.text import choices_of, fit, format_value, parse_value
+from param_tools.node.text import fit, format_value, parse_value
 
-CHECK, TEXT, LINES, CHOICE = 'check', 'text', 'lines', 'choice'
+CHECK, TEXT, LINES = 'check', 'text', 'lines'
 
 _WAITING = 'Waiting for the node to answer…'
 # JavaScript's numbers are exact up to here.
@@ -37,14 +36,13 @@ class PanelRow:
 
     name: str
     editor: str
-    """CHECK for a check box, TEXT for one line, LINES for several, CHOICE for a list to choose from."""
+    """CHECK for a check box, TEXT for one line, LINES for several."""
     kind: str
     """The name of its type, e.g. ``'double'``."""
     description: str = ''
     constraints: str = ''
     facts: tuple[str, ...] = ()
     """What its descriptor says beside the type, e.g. its range."""
-    choices: tuple[str, ...] = ()
     scale: 'Scale | None' = None
     """Where its slider can stand; None if it has none."""
     is_read_only: bool = False
@@ -69,7 +67,7 @@ class RowState:
     is_busy: bool = False
     """True while the node has been asked for another value; the control shows what was entered until then."""
     message: tuple[str, str] | None = None
-    """What to say beside the control: 'rejected', 'failed', 'waiting', 'adjusted' or 'locked', and the words."""
+    """What to say beside the control: 'rejected', 'failed', 'waiting' or 'adjusted', and the words."""
     is_changed: bool = False
     """True if it had another value at first, or none."""
     first: str | None = None
@@ -150,7 +148,6 @@ class Control:
         self._shape: Any = None
         self._row: PanelRow
         self._scale: Scale | None = None
-        self._conditions: list[Condition] = []
 
     def __repr__(self) -> str:
         return f'<Control: {self.name} = {self.value!r}>'
@@ -212,11 +209,10 @@ class Control:
         if self.scale is not None:
             self._ask(self, self.scale.value(min(max(0, position), self.scale.last)), grip)
 
-    def state(self, *, is_locked: bool, known: Mapping[str, Any]) -> RowState:
+    def state(self, *, is_locked: bool) -> RowState:
         """Return what the panel shows of the parameter's value.
 
         :param is_locked: True if nothing can be changed now.
-        :param known: The values of the node's parameters, by name: the parameter may depend on one of them.
         """
         self._fit_to_descriptor()
         parameter, descriptor, value = self.parameter, self.descriptor, self.value
@@ -229,8 +225,6 @@ class Control:
         elif parameter.adjusted is not ...:
             asked = format_value(descriptor, parameter.adjusted)
             message = 'adjusted', f'You asked for {asked}, and the node has stored {text}.'
-        if lock := unmet(self._conditions, known):
-            is_locked, message = True, message or ('locked', lock)
         scale = self._scale
         position = scale.nearest(value) if scale is not None and math.isfinite(value) else None
         is_changed = self.is_changed
@@ -250,7 +244,6 @@ class Control:
             self._shape = shape
             self._scale = scale_of(descriptor, value)
             self._row = row_of(descriptor, value, self._scale)
-            self._conditions = conditions_of(descriptor)
 
 
 def scale_of(descriptor: Descriptor, value: Any) -> Scale | None:
@@ -270,7 +263,6 @@ def row_of(descriptor: Descriptor, value: Any, scale: Scale | None) -> PanelRow:
         facts.append(f'{descriptor.range.from_value} to {descriptor.range.to_value}'
                      + (f' in steps of {descriptor.range.step}' if descriptor.range.step else ''))
     facts += ['any type'] * descriptor.dynamic_typing
-    choices = tuple(format_value(descriptor, each) for each in choices_of(descriptor))
     if descriptor.dynamic_typing or value is None:
         editor = TEXT
     elif _has_lines(value):
@@ -278,10 +270,10 @@ def row_of(descriptor: Descriptor, value: Any, scale: Scale | None) -> PanelRow:
     elif descriptor.type is values.BOOL:
         editor = CHECK
     else:
-        editor = CHOICE if choices else TEXT
+        editor = TEXT
     return PanelRow(
         name=descriptor.name, editor=editor, kind=descriptor.type.label, description=descriptor.description,
-        constraints=descriptor.additional_constraints, facts=tuple(facts), choices=choices,
+        constraints=descriptor.additional_constraints, facts=tuple(facts),
         scale=scale, is_read_only=descriptor.read_only,
         is_unset=value is None, is_quiet=is_housekeeping(descriptor.name))
 

@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 
 from param_tools.markup.wording import format_count
-from param_tools.panel.control import CHECK, CHOICE, LINES, PanelRow, RowState
+from param_tools.panel.control import CHECK, LINES, PanelRow, RowState
 
 HOUSEKEEPING = 'In every node'
 """The group of what every node has, which is seldom what one came for."""
@@ -109,10 +109,6 @@ def _box(row: PanelRow, state: RowState, common: str) -> str:
         return f'<input type="checkbox" autocomplete="off" {common}{" checked" if state.text == "true" else ""}>'
     if row.editor == LINES:
         return f'<textarea rows="3" autocomplete="off" spellcheck="false" {common}>{text}</textarea>'
-    if row.editor == CHOICE:
-        options = ''.join(f'<option{" selected" if each == state.text else ""}>{html.escape(each)}</option>'
-                          for each in dict.fromkeys((*row.choices, state.text)))
-        return f'<select autocomplete="off" {common}>{options}</select>'
     empty = 'not set' if row.is_unset else 'empty text' if row.kind == 'string' else ''
     return f'<input type="text" autocomplete="off" spellcheck="false" value="{text}" placeholder="{empty}" {common}>'
 

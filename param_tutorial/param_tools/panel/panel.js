@@ -62,8 +62,6 @@ class PanelRow {
     const {box, slider, panel} = this;
     if (this.editor === 'check') {
       box.addEventListener('change', () => this.enter({text: String(this.isChecked)}));
-    } else if (this.editor === 'choice') {
-      box.addEventListener('change', () => this.enter({text: box.value}));
     } else {
       box.addEventListener('input', () => {
         this.isTyping = true;

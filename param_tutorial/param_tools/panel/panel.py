@@ -265,9 +265,7 @@ class ParameterPanel(ParameterView):
         if self._edit is not None and not live.is_busy:
             edit, self._edit = self._edit, None
             self._end_edit(edit)
-        known = {name: control.value for name, control in self._controls.items()}
-        states = {name: control.state(is_locked=bool(live.status), known=known)
-                  for name, control in self._controls.items()}
+        states = {name: control.state(is_locked=bool(live.status)) for name, control in self._controls.items()}
         rows = [control.row for control in self._controls.values()]
         with self._front.hold_sync():  # the script needs both at once
             if rows != self._rows:

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import rclpy
-from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent, SetParametersResult
+from rcl_interfaces.msg import ParameterEvent, SetParametersResult
 from rclpy import context, utilities
 from rclpy.exceptions import InvalidHandle
 from rclpy.node import Node
@@ -120,14 +120,6 @@ def process_globals() -> list[tuple[Any, str, Any]]:
 
 
 # -- parameters -----------------------------------------------------------------------------------------------
-
-def own_descriptor(node: Node, name: str) -> ParameterDescriptor:
-    """Return the descriptor object that a node keeps for a parameter; what is written into it, the node describes.
-
-    The public set_descriptor() rejects that of a read-only parameter.
-    """
-    return node.describe_parameter(name)
-
 
 def has_judge(node: Any) -> bool:
     """True if somebody has registered a callback that may reject; rclpy itself registers one, for ``use_sim_time``."""

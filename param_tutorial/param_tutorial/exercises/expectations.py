@@ -1,14 +1,12 @@
 """What several chapters expect of a learner's work, each with words for work that does something else."""
 
 import contextlib
-import inspect
 import linecache
 import re
 import sys
 import textwrap
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from types import CodeType
 from typing import Any, NamedTuple
 
 from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
@@ -21,7 +19,6 @@ from rclpy.task import Future
 from param_tools import values
 from param_tools.errors import NodeNotFoundError
 from param_tools.node.client import ParameterClient
-from param_tools.node.declarations import describe_wrong_field
 from param_tools.ros import stage
 from param_tools.ros.waiting import wait
 from param_tools.values import ParameterType
@@ -34,21 +31,9 @@ from param_tutorial.exercises.trial import (
     NotYet,
     NoUse,
     Trial,
+    describe_wrong_field,
     expect,
 )
-
-
-def expect_filled(trial: Trial) -> None:
-    """Expect the learner to have replaced each ``...`` in the methods of a class.
-
-    :raises NoUse: one is still there. What Python says of it would be about a type that nobody has written.
-    """
-    if any(_has_gap(each.__code__) for each in vars(trial.work).values() if inspect.isfunction(each)):
-        raise NoUse('a value in place of each `...`', 'a `...` is still there')
-
-
-def _has_gap(code: CodeType) -> bool:
-    return any(each is ... or (isinstance(each, CodeType) and _has_gap(each)) for each in code.co_consts)
 
 
 def client_for(trial: Trial, name: str) -> ParameterClient:

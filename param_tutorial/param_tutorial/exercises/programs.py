@@ -12,10 +12,9 @@ import runpy
 import shlex
 import signal
 import sys
-import tempfile
 import traceback
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import NamedTuple, cast
 
@@ -23,9 +22,7 @@ import rclpy
 
 from param_tools.errors import NodeError, WaitTimeoutError
 from param_tools.ros.waiting import wait, wait_until
-from param_tools.values import DOUBLE, INTEGER
 from param_tutorial.exercises.exercise import Exercise, Kind
-from param_tutorial.exercises.expectations import expect_accepted, expect_rejected, take_type_for_granted
 from param_tutorial.exercises.trial import CORNER, GROUP_IS_BUSY, STUCK, NotYet, NoUse, Trial, expect, moved_to
 from param_tutorial.notebook.terminal import Terminal
 
@@ -35,29 +32,6 @@ PROGRAM = Kind('the name of the file that the cell above writes, in quotes',
 # How long a program may take until its node is there, how long a node after another one, a line that it prints, and an
 # end. Importing rclpy takes seconds on a slow machine.
 START_SEC, LATER_SEC, LINE_SEC, END_SEC = 15.0, 2.0, 5.0, 10.0
-# What a program does first so that its node has one more on-set callback. In a page, this file has no source.
-_SECOND_JUDGE = '''
-def _add_second_judge():
-    from rcl_interfaces.msg import SetParametersResult
-    from rclpy.node import Node
-    init = Node.__init__
-
-    def judge(parameters):
-        return SetParametersResult(reason='a second judge rejects', successful=all(
-            (each.name, each.value) != ({name!r}, {value!r}) for each in parameters))
-
-    def init_with_judge(node, *args, **options):
-        Node.__init__ = init
-        init(node, *args, **options)
-        node.add_on_set_parameters_callback(judge)  # the oldest is asked last
-
-    Node.__init__ = init_with_judge
-
-
-import sys
-sys.path.append({folder!r})
-_add_second_judge()
-'''
 # How often a program may lose a race that is rclpy's own.
 _TIMES = 3
 _SPINS = {'spin', 'spin_once', 'spin_until_future_complete'}
@@ -256,51 +230,6 @@ def expect_no_start(trial: Trial, exercise: Exercise, words: str) -> None:
         return
     raise NotYet(f'no start with `{words}`', 'the program has started. A callback that is registered after the '
                  'declarations never sees the start values')
-
-
-def expect_logs(trial: Trial, exercise: Exercise, text: str, name: str, values: Sequence[int | float],
-                other: Mapping[str, int | float], words: str = '') -> None:
-    """Expect the program to log each value of a parameter once it is stored, and nothing else.
-
-    :param text: What it logs, with `{}` in place of the value.
-    :param values: Two to store, one that its own rule rejects, and one that only a second judge rejects.
-    :param other: A change of something else, of the same type, which it doesn't log.
-    :param words: More words after ``--ros-args``.
-    """
-    first, second, *rejected = values
-    with tempfile.TemporaryDirectory() as folder:
-        copy = _with_second_judge(Path(trial.work), Path(folder), name, rejected[-1])
-        with running(trial, exercise, words, lambda trial, words: start_file(trial, words, copy)) as program:
-            client = trial.client(program.node)
-            take_type_for_granted(client, DOUBLE if isinstance(first, float) else INTEGER, name, *other)
-            expect_rejected(trial, program.node, {name: rejected[0]})
-            client.set_parameter(name, rejected[-1])
-            expect_accepted(trial, program.node, {name: first})
-            line = program.expect_line(text.format(first), f'once `{name} = {first!r}` is stored')
-            for value in rejected:  # a reason may begin with the same words
-                expect(line.replace(text.format(first), text.format(value)) not in program.terminal.text.splitlines(),
-                       f'no line about `{name} = {value!r}`, which is rejected',
-                       f'it logs `{text.format(value)}`: an on-set callback has only a proposal')
-            before = program.terminal.text.count(text.partition('{')[0])
-            expect_accepted(trial, program.node, other)
-            expect_accepted(trial, program.node, {name: second})
-            program.expect_line(text.format(second), f'once `{name} = {second!r}` is stored')
-            lines = program.terminal.text.count(text.partition('{')[0]) - program.terminal.text.count(
-                text.format(second))
-            expect(lines == before, f'no line about `{name}` once only {", ".join(other)} has changed',
-                   f'there is one more that begins with `{text.partition("{")[0]}`')
-
-
-def _with_second_judge(path: Path, folder: Path, name: str, value: object) -> Path:
-    """Return a copy of a program with one more on-set callback, which is asked last, and rejects a value."""
-    lines = path.read_text(encoding='utf-8').splitlines(keepends=True)
-    # Docstring and __future__ have to stay in front.
-    first = next(each.lineno for each in _parsed(path).body if not isinstance(each, ast.Expr)
-                 and getattr(each, 'module', '') != '__future__')
-    lines.insert(first - 1, _SECOND_JUDGE.format(name=name, value=value, folder=str(path.resolve().parent)))
-    copy = folder / path.name
-    copy.write_text(''.join(lines), encoding='utf-8')
-    return copy
 
 
 # -- what a program says of itself ------------------------------------------------------------------------------------

@@ -9,6 +9,7 @@ import time
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
+from textwrap import shorten
 from typing import Any, TypeVar, overload
 
 import yaml
@@ -30,7 +31,6 @@ from param_tools.errors import (
 )
 from param_tools.files.parsing import LOADER
 from param_tools.node.client import ParameterClient
-from param_tools.node.declarations import describe_wrong_field
 from param_tools.ros import interrupts, stage
 from param_tools.ros.executor import BackgroundExecutor, Failure
 from param_tools.ros.service_types import SERVICE_TYPES
@@ -116,6 +116,25 @@ def expect(met: Any, expected: str, happened: str) -> None:
     """Raise NotYet unless it is met."""
     if not met:
         raise NotYet(expected, happened)
+
+
+def describe_wrong_field(message: Any) -> str:
+    """Return which field of a message, or of a message in it, has a value of the wrong type; empty if none has.
+
+    rclpy checks the fields of a message only if it is made with ``check_fields=True``. Without the check, an integer in
+    place of a double is sent as another number, which depends on the version of Python, and most other wrong values
+    are not sent at all.
+    """
+    for name in message.get_fields_and_field_types():
+        value = getattr(message, name)
+        for each in value if isinstance(value, (list, tuple)) else ():
+            if hasattr(each, 'get_fields_and_field_types') and (found := describe_wrong_field(each)):
+                return found
+        try:
+            type(message)(**{name: value}, check_fields=True)
+        except AssertionError as error:
+            return f'{error}, and it is `{shorten(repr(value), 100)}`'
+    return ''
 
 
 def _expect_sendable(node: Node) -> None:

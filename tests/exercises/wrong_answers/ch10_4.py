@@ -77,8 +77,6 @@ RIGHT = {
     '10.4a': [
         [(_CALL, _BY_HAND)],
         [("'[A-Z]{3}'", "'^[A-Z][A-Z][A-Z]$'")],
-        [(_MODE, '        from param_tools import Rules\n'
-          "        Rules(self).one_of('mode', ['hover', 'track', 'land'])\n")],
         [('lambda land, home: land < home', 'lambda land, home: not land >= home')],
     ],
     '10.4b': [

@@ -9,7 +9,6 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from param_tools import values
-from param_tools.node.rules import Rules
 from param_tools.systems.restoring import restore
 from param_tools.systems.sets import Difference, ParameterSet, compare
 from param_tutorial.exercises.exercise import FUNCTION, TEXT, Exercise
@@ -20,6 +19,20 @@ CHAPTER = '10_5_whole_sets'
 DIFFERS = 'What differs?'
 FOUR = 'Four things to compare'
 BACK = 'Back to where it was'
+
+
+def keep_apart(node: Node, low: str, high: str) -> None:
+    """Have a node reject every change after which one parameter would not be below the other."""
+
+    def judge(parameters: list[Parameter]) -> SetParametersResult:
+        after = {name: node.get_parameter(name).value for name in (low, high)}
+        after |= {each.name: each.value for each in parameters if each.name in after}
+        return SetParametersResult(
+            successful=after[low] < after[high],
+            reason=f'{low} = {after[low]}, {high} = {after[high]}: {low} must be below {high}')
+
+    node.add_on_set_parameters_callback(judge)
+
 
 # -- 10.5b ----------------------------------------------------------------------------------------------------
 
@@ -40,7 +53,7 @@ class Robot(Node):
         self.declare_parameter('low_c', -5)
         self.declare_parameter('high_c', 40)
         self.requests: list[dict[str, object]] = []
-        Rules(self).check(['low_c', 'high_c'], lambda low, high: low < high, 'low_c must be below high_c')
+        keep_apart(self, 'low_c', 'high_c')
         self.add_on_set_parameters_callback(self.note)
 
     def note(self, parameters: list[Parameter]) -> SetParametersResult:
@@ -169,8 +182,7 @@ class Lamp(Node):
         self.declare_parameter('color', 'white')
         self.declare_parameter('color_temperature_k', 2700)
         self.declare_parameter('plate', 'none', ParameterDescriptor(read_only=True))
-        Rules(self).check(['dim_percent', 'full_percent'], lambda dim, full: dim < full,
-                          'dim_percent must be below full_percent')
+        keep_apart(self, 'dim_percent', 'full_percent')
 
 
 class Kettle(Node):
