@@ -112,9 +112,9 @@ class NoAnswerError(NodeError, TimeoutError):
     def __init__(self, node: str, service: str, timeout_sec: float, *, on_network: bool = False, culprit: str = ''):
         """
         :param on_network: True if the node may live on another machine.
-        :param culprit: The callback that has kept the thread in which answers arrive, if one has.
+        :param culprit: Says which callback has kept the executor's thread, if one has.
         """
-        why = (f': {culprit} has kept the one thread of all nodes' if culprit else
+        why = (f': {culprit}' if culprit else
                '. It is there, but busy in a callback, stopped in a debugger, or not spun by any executor'
                f'{", or the network to its machine is slow or down" if on_network else ""}')
         super().__init__(node, f'{node} did not answer {service} within {timeout_sec:g} s{why}')

@@ -121,7 +121,8 @@ LINES = {
     'raise SystemExit': Line('timer', 'raise SystemExit', 'SystemExit'),
     'input': Line('timer', "print(input('speed? '))", r'input\(\)'),
     'print flood': Line('timer', "for number in range(100_000): print('flood', number)", ''),
-    'endless loop': Line('parameter callback', 'while True: pass', NOT_BACK),
+    'endless loop': Line('parameter callback', 'while True: pass',
+                         r'set_parameters of /victim, in line \d+( \(`while True: pass`\))?, did not return'),
     'long sleep': Line('timer', 'time.sleep(1000)', NOT_BACK),
     'loop that catches all': Line('check', '''while True:
     try: time.sleep(0.01)

@@ -19,7 +19,6 @@ import weakref
 from collections import deque
 from collections.abc import Callable, Coroutine, Iterable, Sequence
 from dataclasses import dataclass
-from types import FrameType
 from typing import Any, TypeVar, cast
 
 import rclpy
@@ -139,7 +138,6 @@ class _WatchedExecutor(SingleThreadedExecutor):
     """The entity (a timer, a service, …) whose callback runs or has raised the latest exception, and its node."""
     began = 0.0
     thread = 0
-    """Identifies the thread in which it runs."""
     before_callback: Callable[[], None]
 
     def wait_for_ready_callbacks(self, *args: Any, **options: Any) -> Any:
@@ -167,7 +165,7 @@ class BackgroundExecutor:
         self._incarnations: Incarnations = frozenset()
         self._names: list[tuple[str, str]] = []
         self._stopping = False
-        self._told_of = self._next_tick = 0.0
+        self._next_tick = 0.0
         # The callback that was interrupted last, with its line, and when.
         self._interrupted = '', 0.0
         self._objection = self._error_if_asked
@@ -421,23 +419,17 @@ class BackgroundExecutor:
         try:
             self.run(lambda: None, 'go on')
         except StuckError:
-            if self._told_of != self._executor.began:  # of each callback once
-                self._told_of = self._executor.began
-                print(f'{self._describe_culprit()}, so every node waits for it. If it never returns, run the cell with '
-                      f'start() again: it begins anew, without any node.', file=sys.stderr)
             return False
         return True
 
     def culprit(self, since: float) -> str:
-        """Name the callback that keeps the thread for long, or was interrupted since a time, and its line.
-
-        :param since: By ``time.monotonic()``.
-        :return: As in "the timer callback tick of /t, in line 6 (`while True:`),"; else nothing.
-        """
+        """Say which callback, in which line, keeps the thread or was interrupted since a monotonic time; or nothing."""
         if self.busy_sec > _BUSY_SEC and (running := self.running):
-            return _with_line(running, traceback.walk_stack(sys._current_frames()[self._executor.thread]))
+            name = _with_line(running, traceback.walk_stack(sys._current_frames()[self._executor.thread]))
+            return (f'{name} does not return, and keeps the one thread of all nodes. If it never does, start() begins '
+                    f'anew, without any node')
         name, when = self._interrupted
-        return name if when > since else ''
+        return f'{name} did not return, and kept the one thread of all nodes' if when > since else ''
 
     def _describe_culprit(self) -> str:
         running = self.running
@@ -464,8 +456,8 @@ class BackgroundExecutor:
         if isinstance(error, _CallbackInterrupted):
             self.services.give_a_turn((callback.node_name, callback.parameter_service) if callback else ('', ''))
             if callback:
-                self._interrupted = (_with_line(callback, reversed([*traceback.walk_tb(error.__traceback__)])),
-                                     time.monotonic())
+                frames = reversed([*traceback.walk_tb(error.__traceback__)])
+                self._interrupted = _with_line(callback, frames), time.monotonic()
         if callback is not None and callback.node not in self._nodes:
             return  # a callback or an answer was due when its node was removed, and has found its handles gone
         failure = self._count(error, callback)
@@ -567,7 +559,7 @@ def _sentence(callback: Callback | Failure) -> str:
     return name[0].upper() + name[1:]
 
 
-def _with_line(callback: Callback, frames: Iterable[tuple[FrameType, int]]) -> str:
+def _with_line(callback: Callback, frames: Iterable[tuple[Any, int]]) -> str:
     """Return the name of a callback, with the innermost line that stands where the class of its node does."""
     for frame, number in frames:
         if frame.f_globals.get('__name__') == type(callback.node).__module__:

@@ -79,7 +79,7 @@ class Carrier(Protocol):
         """End a callback that keeps the executor's thread for long; return True if there was one and it ended."""
 
     def culprit(self, since: float) -> str:
-        """Name the callback that keeps the thread for long, or was interrupted since a time; else nothing."""
+        """Say which callback keeps the thread for long, or was interrupted since a time; or nothing."""
 
 
 @dataclass(eq=False)

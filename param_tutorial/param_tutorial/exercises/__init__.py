@@ -27,13 +27,12 @@ what was expected and what happened; ``NoUse`` ends the check, as nothing else c
 findings become a ``Result``, and ``learner.progress`` keeps what is solved.
 """
 
-import contextlib
 import pkgutil
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from importlib import import_module
 from typing import Any
 
-from IPython.display import DisplayHandle, display
+from IPython.display import DisplayHandle
 
 from param_tools.errors import nearest
 from param_tools.panel.close_with_cell import this_cell
@@ -81,8 +80,15 @@ def check(number: str = '', work: Any = _FORGOTTEN) -> Answer:
     if work is _FORGOTTEN:
         return exercise.without_work()
     file = own_progress()
-    with _shown_meanwhile() if file else contextlib.nullcontext(lambda _: None) as tell:
-        result = exercise.check(work, tell)
+    place = DisplayHandle()
+    has_place = file and this_cell()[0] is not None  # a console would print each that is shown
+    try:
+        if has_place:
+            place.display({}, raw=True)
+        result = exercise.check(work, place.update if has_place else lambda _: None)
+    finally:
+        if has_place:  # not cleared: what callbacks have printed stays
+            place.update({}, raw=True)
     if result.done:
         passed.add(exercise.number)
     if file is None:
@@ -97,23 +103,6 @@ def check(number: str = '', work: Any = _FORGOTTEN) -> Answer:
         ticks.tick(file.path.parent, {chapter.name: [each.number for each in chapter.exercises]
                                       for chapter in CHAPTERS.values()}, remembered.solved)
     return result
-
-
-@contextlib.contextmanager
-def _shown_meanwhile() -> Iterator[Callable[[Answer], object]]:
-    """Yield a function that shows an answer below the cell, in place of the one before; afterwards none is there.
-
-    Not by clearing the output: what callbacks print meanwhile stays.
-    """
-    if this_cell()[0] is None:  # a console would print each of them
-        yield lambda _: None
-        return
-    place = DisplayHandle()
-    display({}, raw=True, display_id=place.display_id)
-    try:
-        yield place.update
-    finally:
-        place.update({}, raw=True)
 
 
 def hint(number: str = '') -> Answer:

@@ -1,6 +1,5 @@
 """What an exercise is: requirements, each a sentence and a function that tries it out, and how they are checked."""
 
-import functools
 import inspect
 import re
 from collections.abc import Callable, Mapping, Sequence
@@ -153,20 +152,22 @@ class Exercise:
         return f'Hint {position} of {count} ({after}). {self.hints[position - 1]}'
 
     def check(self, work: Any, tell: Callable[[Result], object] = lambda _: None) -> Result:
-        """Try out a learner's work; see ``exercises.check``.
-
-        :param tell: Called before each requirement is tried out, with what was found so far.
-        """
+        """Try out a learner's work, and tell before each requirement what was found so far; see ``exercises.check``."""
         if not self.takes.fits(work):
             return self._result([self._nothing_to_try(work)])
         findings: list[Finding] = []
+
+        def untried() -> list[Finding]:
+            return [Finding(each.sentence, None) for each in self.requirements[len(findings):]]
+
         names: set[str] = set()
         picture = ''
         try:
             with no_input.forbidden(error_if_asked), borrowed_stage() as ros:
                 trial: Trial | None = None
-                for requirement in self.requirements:
-                    tell(self._so_far(findings))
+                for number, requirement in enumerate(self.requirements, 1):
+                    tell(Result(self.number, [*findings, *untried()], len(self.requirements),
+                                f'Trying {number} of {len(self.requirements)}: {requirement.sentence}'))
                     try:
                         trial = trial or Trial(ros, self.takes.open(work))
                         findings.append(_try_out(requirement, trial))
@@ -177,21 +178,14 @@ class Exercise:
                     names = set(trial.names)
                 picture = trial.picture if trial else ''
         except ExecutorError as error:  # no executor can be had, or a callback of the learner's keeps it for good
-            untried = [each.sentence for each in self.requirements[len(findings):]]
-            findings.append(Finding([*untried, 'the stage is clear afterwards'][0], False, happened=str(error)))
-        findings += [Finding(each.sentence, None) for each in self.requirements[len(findings):]]
+            sentences = [*(each.sentence for each in untried()), 'the stage is clear afterwards']
+            findings.append(Finding(sentences[0], False, happened=str(error)))
+        findings += untried()
         wrong = sorted(names - {self.node_name}) if self.node_name else []
         if wrong:
             findings.insert(0, Finding(f'the node is called `{self.node_name}`', False, f'`{self.node_name}`',
                                        f'it is called `{wrong[0]}`'))
         return self._result(findings, picture)
-
-    def _so_far(self, findings: list[Finding]) -> Result:
-        number, total = len(findings), len(self.requirements)
-        result = Result(self.number, findings, total,
-                        f'Trying {number + 1} of {total}: {self.requirements[number].sentence}')
-        result.heading = f'Exercise {self.number}'
-        return result
 
     def _nothing_to_try(self, work: Any) -> Finding:
         if isinstance(work, (type(None), bool, int, float, str)):
@@ -210,13 +204,13 @@ class Exercise:
 
     def help_after(self, result: Result) -> str:
         """Return the hints that a result doesn't hold, each a button within the one before, and a link, as HTML."""
-        link = f'<a href="{self.solutions}">Open {Path(self.solutions).name}</a>'
+        link, after = f'<a href="{self.solutions}">Open {Path(self.solutions).name}</a>', ''
         if result.done:
             return link
-        names = [f'Hint {position} of {len(self.hints)}' for position, _ in enumerate(self.hints, 1)]
-        steps = [*zip(names, map(with_code, self.hints), strict=True), ('A worked solution', link)]
-        return functools.reduce(lambda inside, step: f'<details><summary>{step[0]}</summary><p>{step[1]}</p>{inside}'
-                                '</details>', reversed(steps[result.text == self.hint(1):]), '')
+        steps = [(f'Hint {number} of {len(self.hints)}', with_code(each)) for number, each in enumerate(self.hints, 1)]
+        for name, inside in reversed([*steps[result.text == self.hint(1):], ('A worked solution', link)]):
+            after = f'<details><summary>{name}</summary><p>{inside}</p>{after}</details>'
+        return after
 
 
 def _of_another_type(given: Any, truth: Any) -> str:
