@@ -208,12 +208,16 @@ def run(cell):
 def test_what_is_typed_or_slid_is_answered_by_the_node_in_the_page(page):
     # Typed before there is a node, it waits for one; everything stands on the page meanwhile.
     expect(box(page, 'low_c')).to_have_value('18')  # as the cell left it, and not as a later one did
+    page.keyboard.press('PageDown')
+    page.locator('h1').click()
+    expect(page.locator('html')).to_have_attribute('data-node', 'asleep')  # who reads waits for no Python
     type_into(page, 'power_w', '150')
-    expect(page.locator('.live-notice')).to_contain_text('Waking the node')
+    step = page.locator('.live-view', has=box(page, 'power_w')).locator('.live-step')
+    expect(step).to_contain_text('Python and ROS are coming into this page: step')
     changes = page.get_by_role('log', name='Changes of all nodes').get_by_role('row')
     expect(changes.filter(has_text='150')).to_have_count(1, timeout=60_000)
     wait_for_the_node(page)
-    expect(page.locator('.live-notice')).to_be_hidden()
+    expect(step).to_be_hidden()
     type_into(page, 'power_w', '900')
     expect(box(page, 'power_w')).to_have_value('300')
     expect(message(page, 'power_w')).to_have_text('You asked for 900, and the node has stored 300.')

@@ -14,6 +14,8 @@ import {View} from './widgets.js';
 
 // Of the lessons' own cells, none takes so long on a machine with nothing else to do.
 const PATIENCE_MS = 10_000;
+// What the reader waits for before the first cell runs; the worker says when the next one begins.
+const STEPS = ['loading 10 MB', 'unpacking', 'starting Python', 'starting ROS'];
 
 /**
  * What the page knows of a cell: its code in the lesson, a digest of its outputs, the names of the widgets that it shows,
@@ -102,6 +104,9 @@ export class Page {
   /** The first cell that the kernel was not yet told to run. */
   next = 0;
   running = 0;
+  /** Of the cells that it was told to run since it had nothing to do. */
+  told = 0;
+  step = 0;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   timer;
 
@@ -113,6 +118,8 @@ export class Page {
     this.notice = make('div', {className: 'live-notice', hidden: true});
     this.notice.setAttribute('role', 'status');
     document.body.append(this.notice);
+    this.line = make('div', {className: 'live-step', hidden: true});
+    this.line.setAttribute('role', 'status');
     this.say('asleep');
     for (const cell of this.cells) {
       for (const still of cell.element ? all(cell.element, '.live-view') : []) {
@@ -132,9 +139,25 @@ export class Page {
     this.notice.hidden = !words;
   }
 
-  /** Let the worker begin; once for the page. */
-  async begin() {
+  /**
+   * Say how far the node is, where the reader has touched the page last.
+   * @param {Element} [place]
+   */
+  tellHowFar(place = this.line.parentElement ?? undefined) {
+    const isLoading = this.step < STEPS.length;
+    if (place && place !== this.line.parentElement) place.append(this.line);
+    this.line.textContent = isLoading
+      ? `Python and ROS are coming into this page: step ${this.step + 1} of ${STEPS.length}, ${STEPS[this.step]} …`
+      : `Running cell ${this.told - this.running + 1} of ${this.told} …`;
+    // A single cell has its own sign.
+    if (isLoading || this.told > 1) this.line.hidden = false;
+  }
+
+  /** Let the worker begin; once for the page. @param {Element} [place] What the reader has touched. */
+  async begin(place) {
     if (this.worker) return;
+    this.say('waking');
+    this.tellHowFar(place);
     const code = /** @type {any} */ (self).lessonWorker;
     const address = URL.createObjectURL(new Blob([code], {type: 'text/javascript'}));
     this.worker = new Worker(address);
@@ -155,6 +178,7 @@ export class Page {
   die(why) {
     console.warn(why);
     for (const {waiting} of this.cells) for (const each of waiting.splice(0)) each();
+    this.line.hidden = true;
     this.say('dead', 'Python could not be started, so this page shows what it was built with. Reload it to try again.');
   }
 
@@ -163,12 +187,14 @@ export class Page {
    * or a curve. A view after a text is another step of the lesson, and may change the node. Those that were told to already
    * are not told again.
    * @param {string} id
+   * @param {Element} [place] What the reader has touched.
    */
-  wake(id) {
-    this.begin();
+  wake(id, place) {
+    this.begin(place);
     let last = this.cells.findIndex(each => each.facts.id === id);
     while (this.isRightBelow(last)) last += 1;
     while (this.next <= last) this.tellToRun(this.cells[this.next++]);
+    if (this.running) this.tellHowFar(place);
   }
 
   /**
@@ -186,20 +212,20 @@ export class Page {
    */
   run(cell) {
     const at = this.cells.indexOf(cell);
-    if (at > 0) this.wake(this.cells[at - 1].facts.id);
-    this.begin();
+    const place = cell.element?.querySelector('.live-tools') ?? undefined;
+    if (at > 0) this.wake(this.cells[at - 1].facts.id, place);
+    this.begin(place);
     this.next = Math.max(this.next, at + 1);
     cell.isAsked = true;
     this.tellToRun(cell);
+    this.tellHowFar(place);
   }
 
   /** @param {Cell} cell */
   tellToRun(cell) {
     this.running += 1;
+    this.told += 1;
     cell.element?.setAttribute('aria-busy', 'true');
-    if (document.documentElement.dataset.node !== 'awake') {
-      this.say('waking', 'Waking the node: Python and ROS are coming into this page.');
-    }
     this.worker?.postMessage({run: cell.facts.id, code: cell.code});
   }
 
@@ -210,8 +236,15 @@ export class Page {
 
   /** @param {any} said */
   hear(said) {
+    if (said.is === 'step') {
+      this.step += 1;
+      this.tellHowFar();
+      return;
+    }
     if (said.is === 'ready') {
-      this.say('awake', this.running ? 'Running the cells above.' : '');
+      this.step = STEPS.length;
+      if (this.running) this.tellHowFar();
+      else this.rest();
       return;
     }
     if (said.is === 'dead') {
@@ -299,7 +332,15 @@ export class Page {
       cell.views.delete(root);
       this.views.delete(view);
     }
-    if (!this.running) this.say('awake');
+    if (this.running) this.tellHowFar();
+    else this.rest();
+  }
+
+  /** All is done that the reader has asked for. */
+  rest() {
+    this.told = 0;
+    this.line.hidden = true;
+    this.say('awake');
   }
 }
 
@@ -355,10 +396,11 @@ export async function beginLive() {
   for (const cell of live.cells) {
     if (cell.element?.querySelector('.cell_input')) letEdit(live, cell, codes[cell.facts.id]);
   }
-  // A reader who reads is not kept from it, and who touches something need not wait as long.
-  const soon = () => live.begin();
-  for (const kind of ['pointerdown', 'keydown']) addEventListener(kind, soon, {once: true});
-  if (!(/** @type {any} */ (navigator).connection?.saveData)) setTimeout(soon, 1500);
+  // Python is large, and many only read. Who puts the cursor into a box, or chooses an answer, is about to need it.
+  addEventListener('focusin', ({target}) => {
+    const place = /** @type {Element} */ (target).closest('.live-view, .lesson-prediction');
+    if (place && target instanceof HTMLInputElement) live.begin(place);
+  });
 }
 
 /**
@@ -413,7 +455,10 @@ function letEdit(page, cell, code) {
     lesson.replaceWith(editor.dom);
     show();
   };
-  const editHere = () => edit().then(() => editor?.focus());
+  const editHere = () => {
+    page.begin(tools);
+    return edit().then(() => editor?.focus());
+  };
   const editButton = button('Edit', 'Edit the code of this cell', editHere);
   const resetButton = button('Reset', 'Bring back the code of the lesson', reset);
   lesson.addEventListener('keydown', runByKey);

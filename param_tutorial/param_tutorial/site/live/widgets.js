@@ -68,7 +68,7 @@ export class Handle {
     if (this.isLive) this.view.page.tell(this.name, data);
     else {
       this.waiting.push(data);
-      this.view.page.wake(this.view.cell);
+      this.view.page.wake(this.view.cell, this.view.element);
     }
   }
 

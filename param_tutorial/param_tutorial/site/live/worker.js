@@ -57,7 +57,10 @@ async function begin(packed, progress, files) {
   worker.importScripts = () => {
     throw new TypeError('this page loads no scripts');
   };
+  const tellStep = () => worker.postMessage({is: 'step'});
+  tellStep();
   const part = await unpack(packed);
+  tellStep();
   const [{loadPyodide}, {default: createPyodideModule}] = await Promise.all([
     load(part['pyodide.mjs']),
     load(part['pyodide.asm.mjs']),
@@ -75,6 +78,7 @@ async function begin(packed, progress, files) {
     stdLibURL: URL.createObjectURL(new Blob([part['python_stdlib.zip']])),
   });
   worker.fetch = fetchOfBrowser;
+  tellStep();
   install(python, part.packages);
   python.FS.writeFile(PROGRESS, progress);
   look = followFiles(python.FS, files, changes => worker.postMessage({is: 'files', changes}));
