@@ -75,7 +75,8 @@ heater = ros.add(Heater)''',
     "print('the end')\n1 / 0",
 )
 ROBOT = (
-    '# 2 · A robot\n\n**Does it move?**',
+    '# 2 · A robot\n\n**Does it move?**\n\nAfter this chapter you can\n\n- drive.\n\n*5 minutes. Before: nothing.*\n\n'
+    'Run the cell:',
     'import rclpy\n\nimport param_tutorial\nfrom param_tutorial import ParameterPanel\n'
     'from param_tutorial.views import TrackView\nfrom param_tutorial.nodes.base_node import BaseNode\n'
     'from param_tutorial.nodes.driver_node import DriverNode\n\n'
@@ -491,10 +492,26 @@ def test_on_a_phone_texts_keep_their_shape_and_pictures_scroll(page):
     assert scene.evaluate('each => each.scrollLeft') == 100  # it stays there when it is drawn anew
 
 
-def test_on_a_touch_screen_no_button_covers_code(made, browser):
-    page = browser.new_page(viewport={'width': 390, 'height': 800}, has_touch=True, is_mobile=True)
+@robot
+def test_a_lesson_begins_with_what_can_be_touched(page):
+    view, goals = page.locator('.robot-view').first, page.get_by_text('drive.', exact=True)
+    assert view.bounding_box()['y'] < page.locator('.lesson-goals').bounding_box()['y'] < 900
+    expect(goals).to_be_hidden()
+    page.get_by_text('5 minutes: what you can do afterward').click()
+    expect(goals).to_be_visible()
+    expect(page.get_by_text('Run the cell:')).to_have_count(0)  # it is above now, and needs no run
+    stage = page.get_by_text('ros = param_tutorial.start()')
+    expect(stage).to_be_hidden()
+    page.get_by_text('Set the stage: 13 lines').click()
+    expect(stage).to_be_visible()
+
+
+@pytest.mark.parametrize(('width', 'is_phone'), [(1280, False), (390, True)])
+def test_all_code_has_buttons_which_cover_none_of_it(made, browser, width, is_phone):
+    page = browser.new_page(viewport={'width': width, 'height': 800}, has_touch=is_phone, is_mobile=is_phone)
     page.goto((made.target / '1_limits.html').as_uri())
-    expect(page.get_by_role('button', name='Run this cell').first).to_have_css('opacity', '1')
+    for button in page.get_by_role('button', name='Run this cell').all()[:2]:
+        expect(button).to_be_visible()
     assert page.evaluate("""[...document.querySelectorAll('.cell_input')].filter(each =>
         each.querySelector('.live-tools').getBoundingClientRect().top
         < each.querySelector('pre').getBoundingClientRect().bottom - 1).length""") == 0
@@ -582,7 +599,7 @@ def test_one_lesson_as_one_file(made, browser, tmp_path):
     with open_page(browser, alone.as_uri()) as page:
         type_into(page, 'low_c', '25')
         expect(message(page, 'low_c')).to_have_text('Rejected: 25 is not below 22', timeout=60_000)
-        expect(page.locator('.lesson-download')).to_contain_text('This file is one lesson of the course')
+        expect(page.locator('.lesson-about-page')).to_contain_text('This file is one lesson of the course')
         assert check_page(page) == []
         assert page.locator('a[href$=".ipynb"], a[href="2_robot.html"]').count() == 0
         loaded = page.evaluate("performance.getEntriesByType('resource').map(each => each.name)"

@@ -468,6 +468,7 @@ function letEdit(page, cell, code) {
   show();
   if (code !== undefined && code !== cell.code) {
     cell.code = code;
+    input.closest('details')?.setAttribute('open', '');
     edit();
   }
 }

@@ -17,6 +17,11 @@ from param_tutorial.site.pages.links import DEEPER, LAB, NOTEBOOKS, Links
 
 # The folder and the archive of the course that the site offers.
 COURSE = 'param-course'
+# What a page says to a browser that runs no scripts.
+NO_SCRIPT = ('<noscript>\n<p class="lesson-about-page">This browser runs no scripts, so no node answers on this page. '
+             'What each cell put out stands below it.</p>\n</noscript>')
+# The end of a chapter's first text; the last part of it announces the cell below.
+_GOALS = re.compile(r'^After this chapter you can\n\n(.*?)\n\n\*(\d+ minutes)\. *(.*?)\*(.*)', re.DOTALL | re.MULTILINE)
 
 
 def chapter_source(path: Path, live: LiveChapter, pages: set[str], *, alone: dict[str, str] | None = None,
@@ -38,19 +43,36 @@ def chapter_source(path: Path, live: LiveChapter, pages: set[str], *, alone: dic
         for output in cell.get('outputs', ()):
             if 'text/html' in output.get('data', {}):
                 output.data['text/html'] = links.in_output(output.data['text/html'])
+    _begin_with_what_can_be_touched(notebook)
     cells = []
     for cell in notebook.cells:
         if cell.cell_type == 'markdown':
             cell.source = links.in_markdown(cell.source)
         cells.append(cell)
-        if len(cells) == 1:
-            note = _download_note(path, has_lab) if alone is None else _provenance_note(alone)
-            cells.append(_html_cell('to-run', note + live_cells(live.cells)))
         if cell.id.startswith('check-') and (help_html := _help_html(cell.id.removeprefix('check-'), path)):
             cells.append(_html_cell(f'help-{cell.id}', links.in_check(help_html)))
-    notebook.cells = cells
+    note = _download_note(path, has_lab) if alone is None else _provenance_note(alone)
+    notebook.cells = [*cells, _html_cell('about-page', note + live_cells(live.cells))]
     notebook.metadata['language_info'] = {'name': 'python', 'pygments_lexer': 'ipython3'}
     return notebook
+
+
+def _begin_with_what_can_be_touched(notebook: nbformat.NotebookNode) -> None:
+    """Put what the first cell shows right below the question, and fold its code, and what the chapter is for."""
+    first, stage = notebook.cells[0], next(cell for cell in notebook.cells if cell.cell_type == 'code')
+    count = len(stage.source.splitlines())
+    stage.metadata.tags = [*stage.metadata.get('tags', ()), 'hide-input']
+    stage.metadata.mystnb = {'code_prompt_show': f'Set the stage: {count} lines', 'code_prompt_hide': 'Set the stage'}
+    found = _GOALS.search(first.source)
+    question = first.source[:found.start()] if found else first.source
+    first.source = f'{question.strip()}\n\n{NO_SCRIPT}'
+    if not found:
+        return
+    goals, minutes, before, rest = found.groups()
+    after = nbformat.v4.new_markdown_cell(
+        f'<details class="lesson-goals">\n<summary>{minutes}: what you can do afterward</summary>\n\n{goals}\n\n'
+        f'*{before}*\n\n</details>' + ('' if rest.rstrip().endswith(':') else f'\n\n{rest.strip()}'), id='goals')
+    notebook.cells.insert(2 if notebook.cells[1] is stage and stage.outputs else 1, after)
 
 
 def _draw_views(notebook: nbformat.NotebookNode, live: LiveChapter, explained: Mapping[str, str]) -> None:
@@ -103,7 +125,7 @@ def _download_note(path: Path, has_lab: bool) -> str:
     name = f'{DEEPER}/{path.name}' if path.parent.name == DEEPER else path.name
     in_lab = (f' As a notebook: <a href="{LAB}/lab/index.html?path={name}">in JupyterLab, in this browser</a>.'
               if has_lab else '')
-    return (f'<p class="lesson-download">A node runs in this page: rclpy’s own code, without a network. Change any '
+    return (f'<p class="lesson-about-page">A node runs in this page: rclpy’s own code, without a network. Change any '
             f'value, and edit and run any cell; what you do stays in this browser.{in_lab}<br>With all of ROS 2: '
             f'<a href="{COURSE}.zip" download>download the course</a>, unpack it on a Linux machine with Python, and '
             f'type <code>make lab</code> there. This lesson is its <a href="{NOTEBOOKS}/{name}" download>notebook'
@@ -113,7 +135,7 @@ def _download_note(path: Path, has_lab: bool) -> str:
 def _provenance_note(facts: dict[str, str]) -> str:
     state = f', as of {facts["date"]} ({facts["commit"]}{" " + facts["changed"] if facts["changed"] else ""})' \
         if 'commit' in facts else ''
-    return (f'<p class="lesson-download">This file is one lesson of the course <em>Mastering ROS 2 Parameters with '
+    return (f'<p class="lesson-about-page">This file is one lesson of the course <em>Mastering ROS 2 Parameters with '
             f'Python</em>{state}. It ran on Python {facts["Python"]} with rclpy {facts["rclpy"]} of ROS 2 Jazzy; what '
             f'each cell put out stands below it.</p>')
 

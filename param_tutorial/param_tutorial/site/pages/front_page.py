@@ -10,7 +10,7 @@ import nbformat
 from param_tutorial.site.live.running import LiveChapter
 from param_tutorial.site.live.stills import still
 from param_tutorial.site.pages import drawing
-from param_tutorial.site.pages.chapter import live_cells
+from param_tutorial.site.pages.chapter import NO_SCRIPT, live_cells
 from param_tutorial.site.pages.links import DEEPER, LAB, Links
 
 _ROW = re.compile(r'\| *([\d.]+) *\| *\[([^]]+)\]\((\w+)\.ipynb\) *\| *([^|]+?) *\| *(\d+(?: \+ \d+)?) *\|'
@@ -20,6 +20,8 @@ _TEXT = '''# Mastering ROS 2 Parameters with Python
 
 <p class="front-lead">A robot's behavior depends on numbers: how fast, how far, how careful. In ROS 2 they are
 <em>parameters</em>, and you can change them while the robot runs.</p>
+
+{no_script}
 
 {try_it}
 
@@ -84,7 +86,7 @@ def front_page_source(index: Path, chapters: Mapping[Path, LiveChapter], facts: 
     # There, all but the first five chapters is folded.
     text = re.sub(r'</?details>\n|<summary>.*</summary>\n', '', index.read_text(encoding='utf-8') + '\n')
     links = Links(index, nbformat.v4.new_notebook(), {*names, *deeper, 'claims'})
-    return _TEXT.format(try_it=_robot_to_try(chapters), ways=_ways(links.in_markdown(text)),
+    return _TEXT.format(no_script=NO_SCRIPT, try_it=_robot_to_try(chapters), ways=_ways(links.in_markdown(text)),
                         chapters=_groups(text, names), provenance=_provenance_text(facts),
                         deeper=_deeper(links.in_markdown(text)) if deeper else '',
                         in_lab=_IN_LAB if has_lab else '', names='\n'.join(names),
