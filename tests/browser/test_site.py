@@ -440,6 +440,7 @@ def test_without_a_script_nothing_is_folded(made, browser):
     page.goto((made.target / '1_limits.html').as_uri())
     expect(page.get_by_text('-20, -15, 0, 50 and 52', exact=True)).to_be_visible()
     expect(page.locator('.lesson-look')).to_have_count(0)
+    expect(page.get_by_text('This browser runs no scripts')).to_be_visible()
     # The theme has colors for a light page and for a dark one, and none for a page that is neither.
     expect(page.locator('html')).to_have_attribute('data-theme', 'light')
     context.close()
@@ -534,6 +535,19 @@ def test_paper_is_white_and_all_code_is_on_it(page):
         const kinds = new Set();
         for (; each; each = each.parentElement) kinds.add(getComputedStyle(each).display);
         return [...kinds] }''') == ['block']
+
+
+@limits
+def test_the_list_of_lessons_is_at_this_lesson_and_marks_the_section_in_sight(page):
+    page.set_viewport_size({'width': 1280, 'height': 200})
+    lessons = page.get_by_role('navigation', name='Lessons')
+    page.reload()
+    expect(lessons.get_by_role('link', name='1 · Limits')).to_be_in_viewport()
+    expect(lessons.locator('[aria-current=location]')).to_have_count(0)
+    page.get_by_role('heading', name='Next').scroll_into_view_if_needed()
+    page.mouse.wheel(0, 9999)
+    expect(lessons.locator('[aria-current=location]')).to_have_text('Next')
+    expect(lessons.get_by_role('link', name='Next')).to_be_in_viewport()
 
 
 @pytest.mark.parametrize('way', ['file', 'server'])

@@ -79,7 +79,19 @@ def test_the_first_page_lists_the_chapters_that_there_are_and_says_what_ran(tmp_
     assert 'href="1_a.html"' in text and 'Why?' in text and 'Two' not in text
     assert '20 minutes' in text and 'href="3_c.html"' in text and '30 + 25 minutes' in text
     assert re.search(r'2026-01-02 \(`abc1234`\), on Python 3\.12\.1\s+with rclpy 7\.1\.6', text)
-    assert 'Move the slider' not in text
+    assert 'Move the slider' not in text and 'front-doors' not in text
+
+
+def test_the_start_page_has_three_doors_and_no_commands():
+    index = NOTEBOOKS / 'index.md'
+    chapters = dict.fromkeys(sorted(NOTEBOOKS.glob('[0-9]*.ipynb')), NOTHING_RAN)
+    text = front_page.front_page_source(index, chapters, FACTS, has_lab=True)
+    doors = re.search(r'<ul class="front-doors">.*?</ul>', text, re.DOTALL)[0]
+    assert re.findall(r'href="(\w+?)_\w+\.html"', doors) == ['01', '06', '07', '05', 'at']
+    assert 'make' not in re.findall(r'`(\w+)', text)
+    at_home = front_page.at_home_source(index, {path.stem for path in chapters})
+    assert '`make lab`' in at_home and '| **a teacher** | ' in at_home and '[7.3 Overrides](07_3' in at_home
+    assert '<details>' not in at_home
 
 
 @pytest.mark.parametrize('number', RECALLS)

@@ -15,7 +15,7 @@ from param_tutorial.site.archive import course_archive, provenance
 from param_tutorial.site.browser import lite
 from param_tutorial.site.live.site import Live
 from param_tutorial.site.pages.chapter import COURSE, chapter_source
-from param_tutorial.site.pages.front_page import front_page_source
+from param_tutorial.site.pages.front_page import at_home_source, front_page_source
 from param_tutorial.site.pages.links import DEEPER, LAB, NOTEBOOKS
 from param_tutorial.site.pages.writing import BuildError, write_pages, write_static
 from param_tutorial.site.replacing import replace
@@ -105,6 +105,7 @@ class Site:
         sources: dict[Path, str | bytes] = {
             Path('index.md'): front_page_source(self.notebooks / 'index.md', self.live.chapters, provenance(),
                                                 has_lab=self._has_lab),
+            Path('at_home.md'): at_home_source(self.notebooks / 'index.md', pages),
             Path('404.md'): _NOT_FOUND,
             Path('extra', f'{COURSE}.zip'): course_archive(COURSE)}
         claims = self.notebooks / 'claims.md'

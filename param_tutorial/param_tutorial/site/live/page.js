@@ -399,7 +399,7 @@ export async function beginLive() {
   // Python is large, and many only read. Who puts the cursor into a box, or chooses an answer, is about to need it.
   addEventListener('focusin', ({target}) => {
     const place = /** @type {Element} */ (target).closest('.live-view, .lesson-prediction');
-    if (place && target instanceof HTMLInputElement) live.begin(place);
+    if (place && target instanceof HTMLInputElement) live.begin(place.matches('.live-view') ? place : undefined);
   });
 }
 

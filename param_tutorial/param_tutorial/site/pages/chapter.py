@@ -59,10 +59,11 @@ def chapter_source(path: Path, live: LiveChapter, pages: set[str], *, alone: dic
 
 def _begin_with_what_can_be_touched(notebook: nbformat.NotebookNode) -> None:
     """Put what the first cell shows right below the question, and fold its code, and what the chapter is for."""
-    first, stage = notebook.cells[0], next(cell for cell in notebook.cells if cell.cell_type == 'code')
-    count = len(stage.source.splitlines())
-    stage.metadata.tags = [*stage.metadata.get('tags', ()), 'hide-input']
-    stage.metadata.mystnb = {'code_prompt_show': f'Set the stage: {count} lines', 'code_prompt_hide': 'Set the stage'}
+    first, stage = notebook.cells[0], next((cell for cell in notebook.cells if cell.cell_type == 'code'), None)
+    if stage:
+        words = f'Set the stage: {len(stage.source.splitlines())} lines'
+        stage.metadata.tags = [*stage.metadata.get('tags', ()), 'hide-input']
+        stage.metadata.mystnb = {'code_prompt_show': words, 'code_prompt_hide': words}
     found = _GOALS.search(first.source)
     question = first.source[:found.start()] if found else first.source
     first.source = f'{question.strip()}\n\n{NO_SCRIPT}'
@@ -72,7 +73,7 @@ def _begin_with_what_can_be_touched(notebook: nbformat.NotebookNode) -> None:
     after = nbformat.v4.new_markdown_cell(
         f'<details class="lesson-goals">\n<summary>{minutes}: what you can do afterward</summary>\n\n{goals}\n\n'
         f'*{before}*\n\n</details>' + ('' if rest.rstrip().endswith(':') else f'\n\n{rest.strip()}'), id='goals')
-    notebook.cells.insert(2 if notebook.cells[1] is stage and stage.outputs else 1, after)
+    notebook.cells.insert(2 if stage and notebook.cells[1] is stage and stage.outputs else 1, after)
 
 
 def _draw_views(notebook: nbformat.NotebookNode, live: LiveChapter, explained: Mapping[str, str]) -> None:

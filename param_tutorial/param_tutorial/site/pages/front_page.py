@@ -10,7 +10,7 @@ import nbformat
 from param_tutorial.site.live.running import LiveChapter
 from param_tutorial.site.live.stills import still
 from param_tutorial.site.pages import drawing
-from param_tutorial.site.pages.chapter import NO_SCRIPT, live_cells
+from param_tutorial.site.pages.chapter import COURSE, NO_SCRIPT, live_cells
 from param_tutorial.site.pages.links import DEEPER, LAB, Links
 
 _ROW = re.compile(r'\| *([\d.]+) *\| *\[([^]]+)\]\((\w+)\.ipynb\) *\| *([^|]+?) *\| *(\d+(?: \+ \d+)?) *\|'
@@ -25,7 +25,7 @@ _TEXT = '''# Mastering ROS 2 Parameters with Python
 
 {try_it}
 
-{ways}
+{doors}
 
 ## The lessons
 
@@ -41,8 +41,8 @@ Each lesson asks one question and lets a real ROS 2 Jazzy node answer it. Everyt
 browser, without a network. Change any value, and edit and run any cell; exercises are checked. What you do is kept in
 this browser and nowhere else.
 
-{in_lab}**On a Linux machine with Python.** Each lesson starts with a link to its notebook. The course brings a panel, a
-terminal and the real ROS 2 with it. `make lab` starts it; you don't need to install ROS.
+{in_lab}**On a Linux machine with Python.** The course brings a panel, a terminal and the real ROS 2 with it; you don't
+need to install ROS. [How to get and start it](at_home.md).
 
 ## When they ran
 
@@ -54,6 +54,32 @@ terminal and the real ROS 2 with it. `make lab` starts it; you don't need to ins
 {names}
 ```
 {more_names}'''
+
+_DOORS = '''<ul class="front-doors">
+<li><b>You are new to ROS</b><p>In five lessons you write the program that drives this robot. You need four hours, and
+Python.</p><p><a href="{one}.html">Start with lesson 1</a></p></li>
+<li><b>You have a node to fix</b><p>It <a href="{six}.html">rejects a value</a>, it <a href="{seven}.html">starts with
+the wrong one</a>, or it <a href="{five}.html">hangs</a>: each is one lesson.</p></li>
+<li><b>You teach</b><p>Each lesson names the lessons before it, and its exercises check themselves.</p>
+<p><a href="at_home.html">Teach with it</a></p></li>
+</ul>'''
+
+# Commands are for those who have a terminal, so they have a page to themselves.
+_AT_HOME = f'''---
+orphan: true
+---
+# On your own machine, and with a class
+
+**How do you start the course on Linux, and see how a class is doing?**
+
+1. <a href="{COURSE}.zip" download>Download the course</a>, and unpack it. You need Linux, and Python 3.10 or newer.
+2. Type `make lab` in its folder. The first time, it sets up Python and ROS 2 there, and changes nothing else.
+3. JupyterLab opens with your own copies of the lessons.
+
+## Which lessons to take
+
+{{ways}}
+'''
 
 _MORE = '''
 ```{{toctree}}
@@ -86,7 +112,7 @@ def front_page_source(index: Path, chapters: Mapping[Path, LiveChapter], facts: 
     # There, all but the first five chapters is folded.
     text = re.sub(r'</?details>\n|<summary>.*</summary>\n', '', index.read_text(encoding='utf-8') + '\n')
     links = Links(index, nbformat.v4.new_notebook(), {*names, *deeper, 'claims'})
-    return _TEXT.format(no_script=NO_SCRIPT, try_it=_robot_to_try(chapters), ways=_ways(links.in_markdown(text)),
+    return _TEXT.format(no_script=NO_SCRIPT, try_it=_robot_to_try(chapters), doors=_doors(text, names),
                         chapters=_groups(text, names), provenance=_provenance_text(facts),
                         deeper=_deeper(links.in_markdown(text)) if deeper else '',
                         in_lab=_IN_LAB if has_lab else '', names='\n'.join(names),
@@ -119,10 +145,24 @@ def _section(text: str, heading: str) -> str:
     return found[1].strip() if found else ''
 
 
-def _ways(text: str) -> str:
-    """Return the ways through the course, for different readers."""
-    ways = _section(text, 'Where to start')
-    return f'## Where to start\n\n````{{container}} front-ways\n{ways}\n````' if ways else ''
+def _doors(text: str, names: list[str]) -> str:
+    """Return three doors for three readers, if the chapters that they lead to are there."""
+    by_number = {number: name for number, _, name, *_ in _ROW.findall(text) if name in names}
+    numbers = {'one': '1', 'five': '5.4', 'six': '6.1', 'seven': '7.3'}
+    if not by_number.keys() >= set(numbers.values()):
+        return ''
+    return _DOORS.format(**{word: by_number[number] for word, number in numbers.items()})
+
+
+def at_home_source(index: Path, pages: set[str]) -> str:
+    """Return the page about the course on one's own machine and in a class, as Markdown.
+
+    :param index: The start page of the notebooks, whose table says where to start.
+    :param pages: The names, without ending, of all pages of the site.
+    """
+    links = Links(index, nbformat.v4.new_notebook(), pages)
+    section = _section(index.read_text(encoding='utf-8'), 'Where to start')
+    return _AT_HOME.format(ways='\n'.join(re.findall(r'^\|.*', links.in_markdown(section), re.MULTILINE)))
 
 
 def _deeper(text: str) -> str:

@@ -3,6 +3,7 @@
 import {all} from '../../../param_tools/panel/dom.js';
 import {askForPredictionOf, hideAnswers} from './predictions.js';
 import {beginProgress} from './progress.js';
+import {followReading} from './sidebar.js';
 import {reachPictures, wrapSentences} from './wide.js';
 
 /** Bring the page to life. */
@@ -10,6 +11,7 @@ export async function beginLesson() {
   arriving.disconnect();
   layOut();
   reachPictures(document);
+  followReading();
   const remembered = beginProgress();
   all(document, '.lesson-prediction').forEach(askForPredictionOf);
   await remembered;
