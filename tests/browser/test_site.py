@@ -440,7 +440,7 @@ def test_without_a_script_nothing_is_folded(made, browser):
     page.goto((made.target / '1_limits.html').as_uri())
     expect(page.get_by_text('-20, -15, 0, 50 and 52', exact=True)).to_be_visible()
     expect(page.locator('.lesson-look')).to_have_count(0)
-    expect(page.get_by_text('This browser runs no scripts')).to_be_visible()
+    expect(page.locator('.bd-article noscript p')).to_be_visible()
     # The theme has colors for a light page and for a dark one, and none for a page that is neither.
     expect(page.locator('html')).to_have_attribute('data-theme', 'light')
     context.close()
@@ -503,7 +503,7 @@ def test_a_lesson_begins_with_what_can_be_touched(page):
     expect(page.get_by_text('Run the cell:')).to_have_count(0)  # it is above now, and needs no run
     stage = page.get_by_text('ros = param_tutorial.start()')
     expect(stage).to_be_hidden()
-    page.get_by_text('Set the stage: 13 lines').click()
+    page.locator('summary', has_text='Set the stage: 13 lines').click()
     expect(stage).to_be_visible()
 
 
