@@ -62,7 +62,7 @@ class Heater(Node):
 
 ros = param_tutorial.start()
 heater = ros.add(Heater)''',
-    'Its controls:',
+    'Its controls, from <span data-parameter="/heater low_c 0 50 1">18</span> degrees:',
     "panel = ParameterPanel('/heater')\npanel",
     'EventView()',
     'Two predictions, one to choose and one to type:',
@@ -362,6 +362,24 @@ def test_a_cell_shows_what_jupyter_shows(page):
     out.get_by_role('slider').fill('9')
     expect(out.get_by_role('slider')).to_have_value('7')
     expect(out.get_by_role('status')).to_have_text('7')
+
+
+@limits
+def test_a_number_in_the_text_is_dragged_and_the_node_answers_below(page):
+    number, says = page.get_by_role('slider', name='low_c of /heater'), page.locator('.live-number-says')
+    place = number.bounding_box()
+    x, y = place['x'] + 4, place['y'] + 4
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 42, y)  # seven steps
+    expect(number).to_have_text('25')
+    page.mouse.up()
+    expect(says).to_contain_text('rejected low_c = 25 (rejected by the node): 25 is not below 22', timeout=60_000)
+    expect(number).to_have_text('18')
+    number.press('ArrowRight')
+    expect(says).to_have_text('/heater accepted low_c = 19', timeout=60_000)
+    expect(number).to_have_attribute('aria-valuenow', '19')
+    expect(box(page, 'low_c')).to_have_value('19')
 
 
 @limits

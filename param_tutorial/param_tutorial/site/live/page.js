@@ -9,6 +9,7 @@ import {reachPictures, wrapSentences} from '../scripts/wide.js';
 import {keepCode, keptCode} from './kept_code.js';
 import {keepFiles, keptFiles} from './kept_files.js';
 import {digest, WIDGET} from './kernel.js';
+import {letDrag} from './numbers.js';
 import {Output} from './outputs.js';
 import {View} from './widgets.js';
 
@@ -226,7 +227,37 @@ export class Page {
     this.running += 1;
     this.told += 1;
     cell.element?.setAttribute('aria-busy', 'true');
+    delete cell.element?.dataset.isOld;
     this.worker?.postMessage({run: cell.facts.id, code: cell.code});
+  }
+
+  /**
+   * Run code that is no cell of the lesson, after all cells above a place.
+   * @param {Element} place
+   * @param {string} code
+   * @returns {Promise<string>} What it printed, or the error that it raised.
+   */
+  async ask(place, code) {
+    const above = this.cells.findLast(({element}) => element && isAbove(element, place));
+    if (above) this.wake(above.facts.id);
+    const asked = new Cell({id: `asked-${this.byId.size}`, source: code, digest: '', roots: [], states: {}}, null);
+    this.byId.set(asked.facts.id, asked);
+    const hasRun = new Promise(resolve => asked.waiting.push(() => resolve(undefined)));
+    this.begin();
+    this.tellToRun(asked);
+    await hasRun;
+    this.byId.delete(asked.facts.id);
+    return (
+      asked.outputs.map(({said}) => said.text ?? `${said.ename}: ${said.evalue}`).join('') || 'The node did not answer.'
+    );
+  }
+
+  /** Mark what was printed in a section below a place, before a change there; a view shows by itself what is now. @param {Element} place */
+  age(place) {
+    for (const {element, isOwn, views} of this.cells) {
+      if (!element?.querySelector('.cell_output') || isOwn || views.size) continue;
+      if (place.closest('section')?.contains(element) && isAbove(place, element)) element.dataset.isOld = '';
+    }
   }
 
   /** @param {string} widget @param {any} data */
@@ -369,6 +400,11 @@ function loadEditors() {
   return /** @type {Promise<typeof import('./editor.js')>} */ (editors);
 }
 
+/** @param {Element} one @param {Element} other */
+function isAbove(one, other) {
+  return Boolean(one.compareDocumentPosition(other) & Node.DOCUMENT_POSITION_FOLLOWING);
+}
+
 /** @type {Page | undefined} */
 let page;
 
@@ -392,6 +428,10 @@ export async function beginLive() {
   if (!facts) return;
   const live = new Page(JSON.parse(facts.textContent ?? ''));
   page = live;
+  letDrag(
+    (place, code) => live.ask(place, code),
+    place => live.age(place),
+  );
   const codes = await keptCode();
   for (const cell of live.cells) {
     if (cell.element?.querySelector('.cell_input')) letEdit(live, cell, codes[cell.facts.id]);

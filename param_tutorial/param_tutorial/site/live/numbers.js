@@ -1,0 +1,123 @@
+/* Numbers in the text that are parameters: drag one, and the node in the page gets it, and answers. In a notebook they are
+   plain text:
+
+       drives at <span data-parameter="/driver max_speed_mps 0 3 0.1">0.5</span> m/s
+
+   names the node, the parameter, and the lowest value, the highest and the step that a hand can reach. */
+
+import {all, make} from '../../../param_tools/panel/dom.js';
+
+const PX_PER_STEP = 6;
+
+/** @typedef {(place: Element, code: string) => Promise<string>} Ask Runs code after all cells above a place; returns what it prints. */
+
+/**
+ * Let the reader drag the numbers of a page.
+ * @param {Ask} ask
+ * @param {(place: Element) => void} change Is told where something was set, which makes the outputs below old.
+ */
+export function letDrag(ask, change) {
+  for (const place of all(document, '[data-parameter]')) new Handle(place, ask, change);
+}
+
+class Handle {
+  /**
+   * @param {HTMLElement} place
+   * @param {Ask} ask
+   * @param {(place: Element) => void} change
+   */
+  constructor(place, ask, change) {
+    const [node, name, low, high, step] = (place.dataset.parameter ?? '').split(' ');
+    this.place = place;
+    this.ask = ask;
+    this.change = change;
+    this.node = node;
+    this.name = name;
+    this.low = Number(low);
+    this.high = Number(high);
+    this.step = Number(step);
+    this.digits = step.split('.')[1]?.length ?? 0;
+    /** What the node holds, as far as the page knows. */
+    this.held = Number(place.textContent);
+    this.value = this.held;
+    this.says = make('span', {className: 'live-number-says'});
+    this.says.setAttribute('role', 'status');
+    const about = {
+      role: 'slider',
+      tabindex: '0',
+      'aria-label': `${name} of ${node}`,
+      title: `Drag: ${name} of ${node}`,
+    };
+    for (const [key, words] of Object.entries({...about, 'aria-valuemin': low, 'aria-valuemax': high})) {
+      place.setAttribute(key, words);
+    }
+    place.classList.add('live-number');
+    (place.closest('p') ?? place).append(this.says);
+    place.addEventListener('pointerdown', event => this.drag(event));
+    place.addEventListener('keydown', event => this.press(event));
+    this.show(this.value);
+  }
+
+  /** @param {number} value */
+  show(value) {
+    this.value = Math.min(this.high, Math.max(this.low, value));
+    const words = this.value.toFixed(this.digits);
+    this.place.textContent = words;
+    this.place.setAttribute('aria-valuenow', words);
+  }
+
+  /** Say something below the paragraph, in place of what was said there. @param {string} words */
+  say(words) {
+    for (const each of all(this.says.parentElement ?? this.says, '.live-number-says')) each.textContent = '';
+    this.says.textContent = words;
+  }
+
+  /** @param {PointerEvent} event */
+  drag(event) {
+    if (event.button !== 0) return;
+    event.preventDefault();
+    this.place.focus();
+    const from = this.value;
+    const ended = new AbortController();
+    const move = (/** @type {PointerEvent} */ moved) => {
+      this.show(from + Math.round((moved.clientX - event.clientX) / PX_PER_STEP) * this.step);
+    };
+    document.addEventListener('pointermove', move, {signal: ended.signal});
+    for (const end of ['pointerup', 'pointercancel']) {
+      document.addEventListener(
+        end,
+        () => {
+          ended.abort();
+          this.send();
+        },
+        {signal: ended.signal},
+      );
+    }
+  }
+
+  /** @param {KeyboardEvent} event */
+  press(event) {
+    const steps = {ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1}[event.key];
+    if (!steps) return;
+    event.preventDefault();
+    this.show(this.value + steps * this.step);
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.send(), 400); // a key that is held sets one value
+  }
+
+  /** Ask the node for the value; a rejection brings back the one that it holds. */
+  async send() {
+    const value = this.value.toFixed(this.digits);
+    if (Number(value) === this.held) return;
+    this.say('asking the node …');
+    const said = await this.ask(
+      this.place,
+      `import param_tutorial\nprint(param_tutorial.ParameterClient('${this.node}').set_parameter('${this.name}', ${value}))`,
+    );
+    this.say(said.trim().split('\n').at(-1) ?? '');
+    if (said.includes(' accepted ')) {
+      this.held = Number(value);
+      this.change(this.place);
+    } else this.show(this.held);
+  }
+}
