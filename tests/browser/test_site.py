@@ -367,6 +367,7 @@ def test_a_cell_shows_what_jupyter_shows(page):
 @limits
 def test_a_number_in_the_text_is_dragged_and_the_node_answers_below(page):
     number, says = page.get_by_role('slider', name='low_c of /heater'), page.locator('.live-number-says')
+    number.scroll_into_view_if_needed()
     place = number.bounding_box()
     x, y = place['x'] + 4, place['y'] + 4
     page.mouse.move(x, y)
