@@ -254,7 +254,7 @@ def test_hints_come_one_by_one_and_end_at_the_solution(monkeypatch):
         shown = ' '.join(repr(exercises.hint('4b')).split())
         assert shown.startswith(f'Hint {position} of {len(hints)}')
         assert text in shown
-    assert 'solutions/04_retrieving.ipynb' in repr(exercises.hint('4b'))
+    assert 'solutions/04_solutions.ipynb' in repr(exercises.hint('4b'))
 
 
 @pytest.mark.parametrize(('ask', 'number', 'said'), [

@@ -279,7 +279,7 @@ def predict(visit, index):
 
 
 def solve(visit):
-    solutions = nbformat.read(ROOT / 'notebooks' / 'solutions' / FIRST, as_version=4).cells
+    solutions = nbformat.read(ROOT / 'notebooks' / 'solutions' / '01_solutions.ipynb', as_version=4).cells
     imports, *code = [cell.source for cell in solutions if cell.cell_type == 'code']
     check = next(position for position, source in enumerate(code) if f"check('{EXERCISE}'" in source)
     index = visit.cell(f"check('{EXERCISE}'")

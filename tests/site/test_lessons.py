@@ -7,7 +7,7 @@ import nbformat
 import pytest
 from nbformat.v4 import new_markdown_cell, new_notebook
 
-from param_tutorial.exercises import RECALLS, predicting
+from param_tutorial.exercises import EXERCISES, RECALLS, predicting
 from param_tutorial.site.live.running import LiveCell, LiveChapter
 from param_tutorial.site.pages import chapter, front_page, links, writing
 from tests.support.paths import NOTEBOOKS
@@ -19,7 +19,7 @@ FACTS = {'Python': '3.12.1', 'rclpy': '7.1.6', 'date': '2026-01-02', 'commit': '
 def linked(folder, text, pages, **options):
     """Return what Sphinx reads of a chapter with a text; there are other notebooks beside it."""
     (folder / 'solutions').mkdir()
-    for name in ('2_b', '9_z', 'solutions/3_c'):
+    for name in ('2_b', '9_z', 'solutions/3_solutions'):
         (folder / f'{name}.ipynb').touch()
     path = folder / '3_c.ipynb'
     nbformat.write(new_notebook(cells=[new_markdown_cell(f'# 3 · C\n{text}')]), path)
@@ -36,12 +36,12 @@ def test_a_view_that_shows_less_on_a_page_has_the_reason_below_it():
                      shown.outputs[0].data['text/html'])
 
 
-LINKS = '[b](2_b.ipynb#Top) [z](9_z.ipynb) [s](solutions/3_c.ipynb) [w](https://example.org/x.md)'
+LINKS = '[b](2_b.ipynb#Top) [z](9_z.ipynb) [s](solutions/3_solutions.ipynb) [w](https://example.org/x.md)'
 
 
 def test_links_of_a_chapter(tmp_path):
     text = linked(tmp_path, LINKS, {'2_b', '3_c'})[0].source
-    assert '[b](2_b.ipynb#Top) z <a href="notebooks/solutions/3_c.ipynb" download>s</a> [w](https:' in text
+    assert '[b](2_b.ipynb#Top) z <a href="notebooks/solutions/3_solutions.ipynb" download>s</a> [w](https:' in text
 
 
 def test_links_of_a_chapter_alone(tmp_path):
@@ -64,8 +64,8 @@ def test_what_a_check_says_to_look_at_is_a_link(path):
     named = [each for output in outputs for each in re.findall('<dt>look at</dt><dd>(.*?)</dd>', output)]
     assert named and [each for each in named if not re.fullmatch('<a href="#[^"]+">“.*”</a>', each)] == []
     assert shown.in_check('to compare: solutions/x.ipynb') == 'to compare: solutions/x.ipynb'
-    assert shown.in_check(f'to compare: solutions/{path.name}') == (
-        f'to compare: <a href="notebooks/solutions/{path.name}" download>solutions/{path.name}</a>')
+    solved = next(each.solutions for each in EXERCISES.values() if each.chapter == path.stem)
+    assert shown.in_check(f'to compare: {solved}') == f'to compare: <a href="notebooks/{solved}" download>{solved}</a>'
 
 
 def test_the_first_page_lists_the_chapters_that_there_are_and_says_what_ran(tmp_path):

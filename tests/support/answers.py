@@ -27,7 +27,8 @@ TYPED = (ch05_1.PACKAGE, ch05_1.NODE)
 @functools.cache
 def notebook(number, folder=''):
     """Return the cells of the chapter that holds an exercise, or of its solutions."""
-    return nbformat.read(NOTEBOOKS / folder / Path(EXERCISES[number].solutions).name, as_version=4).cells
+    exercise = EXERCISES[number]
+    return nbformat.read(NOTEBOOKS / (exercise.solutions if folder else f'{exercise.chapter}.ipynb'), 4).cells
 
 
 def cell(number, kind):

@@ -85,7 +85,8 @@ class Exercise:
         self.number = number
         self.title = title
         self.chapter = chapter
-        self.solutions = f'solutions/{chapter}.ipynb'
+        # JupyterLab's tabs show the beginning of a name alone: it can't be the chapter's.
+        self.solutions = f'solutions/{re.sub(r"(?<=[0-9]_)[a-z].*", "solutions", chapter)}.ipynb'
         self.takes = takes
         self.hints = hints
         self.node_name = node_name

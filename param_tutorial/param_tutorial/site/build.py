@@ -16,7 +16,7 @@ from param_tutorial.site.browser import lite
 from param_tutorial.site.live.site import Live
 from param_tutorial.site.pages.chapter import COURSE, chapter_source
 from param_tutorial.site.pages.front_page import at_home_source, front_page_source
-from param_tutorial.site.pages.links import DEEPER, LAB, NOTEBOOKS
+from param_tutorial.site.pages.links import DEEPER, LAB, NOTEBOOKS, has_solutions
 from param_tutorial.site.pages.writing import BuildError, write_pages, write_static
 from param_tutorial.site.replacing import replace
 
@@ -116,6 +116,6 @@ class Site:
             sources[Path(path.name)] = nbformat.writes(page) + '\n'
             sources[download / path.relative_to(self.notebooks)] = path.read_text(encoding='utf-8')
         for path in sorted((self.notebooks / 'solutions').glob('*.ipynb')):
-            if path.stem in pages:
+            if has_solutions(path.stem, pages):
                 sources[download / 'solutions' / path.name] = path.read_text(encoding='utf-8')
         return sources

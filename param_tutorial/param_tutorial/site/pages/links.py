@@ -27,6 +27,11 @@ _TAG = re.compile(r'<[^>]+>')
 _ELSEWHERE = re.compile(r'\bchapter (\d+(?:\.\d+)?), (“[^“”]+”)')
 
 
+def has_solutions(name: str, pages: set[str]) -> bool:
+    """True if a notebook of solutions, by its name without ending, is that of one of some pages."""
+    return any(page.startswith(name.removesuffix(_SOLVED)) for page in pages)
+
+
 class Links:
     """Leads the links of one chapter."""
 
@@ -82,7 +87,7 @@ class Links:
     def _html_link(self, target: str, words: str, place: str = '') -> str:
         """Return a link to a notebook, as HTML; the words alone if that is nowhere."""
         name, is_solution = Path(target).stem, Path(target).parent.name == _SOLVED
-        if name not in self._pages or (is_solution and self._is_alone):
+        if not (has_solutions(name, self._pages) and not self._is_alone if is_solution else name in self._pages):
             return words
         if is_solution:
             return f'<a href="{NOTEBOOKS}/{html.escape(target)}" download>{words}</a>'
