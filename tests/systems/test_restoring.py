@@ -53,11 +53,13 @@ def test_what_no_request_can_change_is_reported_and_the_rest_is_set(client):
         'serial': 'S1', 'speed': 100, 'unset': 1.5, 'low_c': 19, 'numbers': []}
 
 
-def test_one_by_one_sets_what_it_can_in_whatever_order_it_takes(client):
-    restored = restore(client, {'low_c': 50, 'high_c': 60, 'speed': 301}, one_by_one=True)
-    assert {each.name: each.word for each in restored} == {'low_c': 'set', 'high_c': 'set', 'speed': 'rejected'}
-    assert 'out of range' in restored['speed'].reason
-    assert client.get_parameters(['low_c', 'high_c']) == {'low_c': 50, 'high_c': 60}
+def test_what_the_node_rejects_together_is_left_with_its_reason(client):
+    restored = restore(client, {'low_c': 60, 'high_c': 50})
+    assert {each.name: each.word for each in restored} == {'low_c': 'left', 'high_c': 'left'}
+    assert restored['low_c'].reason == 'the node rejected them together: low_c must be below high_c'
+    assert client.get_parameters(['low_c', 'high_c']) == {'low_c': 18, 'high_c': 22}
+    alone = restore(client, {'speed': 301})['speed']
+    assert (alone.word, 'out of range' in alone.reason) == ('rejected', True)
 
 
 def test_a_node_that_stores_something_else_is_reported(ros, client):

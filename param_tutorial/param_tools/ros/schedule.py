@@ -37,11 +37,6 @@ class Job:
         self._ended = False
         self._one_at_a_time = lock or threading.RLock()
 
-    @property
-    def is_idle(self) -> bool:
-        """True if nothing is called until somebody wakes it."""
-        return self not in _due
-
     def wake(self, in_sec: float = 0.0) -> None:
         """Make sure that the function is called after now. Cheap; from any thread."""
         at = time.monotonic() + in_sec

@@ -78,16 +78,13 @@ class Restored(NodesTable[Outcome]):
         return 'NOT RESTORED, nothing was changed'
 
 
-def restore(node: NodeLike, wanted: Mapping[str, Any], *, one_by_one: bool = False, rehearse: bool = False
-            ) -> Restored:
+def restore(node: NodeLike, wanted: Mapping[str, Any], *, rehearse: bool = False) -> Restored:
     """Give a node the values of a set, as far as they differ from what it has.
 
     What no service can change (read-only parameters, types, parameters that are not declared) is left out and
     reported. The rest is set in one request, atomically: if the node rejects one, none is changed. Parameters that
     only the node has are left alone.
 
-    :param one_by_one: If the node rejects the request, try each parameter for itself, again and again as long as that
-        helps: rules across parameters may allow in one order what they reject in another.
     :param rehearse: Only say what would be set. The node's own callbacks may still reject it.
     :raises ParameterToolError: the node does not answer; whether it was changed is then not known.
     """
@@ -100,7 +97,7 @@ def restore(node: NodeLike, wanted: Mapping[str, Any], *, one_by_one: bool = Fal
     if rehearse:
         verdicts |= {name: _expected(value, descriptors[name]) for name, value in new.items()}
     elif new:
-        verdicts |= _set(client, new, one_by_one)
+        verdicts |= _set(client, new)
         held = client.get_parameters()
         for name, value in new.items():
             if verdicts[name] == _SET and not values.same(held.get(name), value):
@@ -149,24 +146,14 @@ def _expected(value: Any, descriptor: Descriptor) -> _Verdict:
     return ('would be set', '') if objection is None else (objection.kind, objection.reason)
 
 
-def _set(client: ParameterClient, new: Mapping[str, Any], one_by_one: bool) -> dict[str, _Verdict]:
+def _set(client: ParameterClient, new: Mapping[str, Any]) -> dict[str, _Verdict]:
     results = client.set_parameters_atomically(new)
     if results.successful:
         return dict.fromkeys(new, _SET)
     reason = results[0].reason
-    if not one_by_one:
-        # The one reason of an atomic request names the culprit, or it does not; all are in the same boat.
-        return dict.fromkeys(new, ('rejected', reason) if len(new) == 1 else
-                             ('left', f'the node rejected them together: {reason}'))
-    verdicts: dict[str, _Verdict] = {}
-    missing = dict(new)
-    while missing:
-        answers = client.set_parameters(missing)
-        verdicts |= {each.name: _SET if each.successful else ('rejected', each.reason) for each in answers}
-        if not any(each.successful for each in answers):
-            break
-        missing = {each.name: each.value for each in answers if not each.successful}
-    return verdicts
+    # The one reason of an atomic request names the culprit, or it does not; all are in the same boat.
+    return dict.fromkeys(new, ('rejected', reason) if len(new) == 1 else
+                         ('left', f'the node rejected them together: {reason}'))
 
 
 def _why_unanswered(error: NodeError) -> str:

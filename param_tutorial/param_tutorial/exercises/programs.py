@@ -14,7 +14,7 @@ import signal
 import sys
 import traceback
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple, cast
 
@@ -29,9 +29,9 @@ from param_tutorial.notebook.terminal import Terminal
 PROGRAM = Kind('the name of the file that the cell above writes, in quotes',
                lambda work: isinstance(work, (str, Path)) and Path(work).suffix == '.py', "'my_program.py'")
 
-# How long a program may take until its node is there, how long a node after another one, a line that it prints, and an
-# end. Importing rclpy takes seconds on a slow machine.
-START_SEC, LATER_SEC, LINE_SEC, END_SEC = 15.0, 2.0, 5.0, 10.0
+# How long a program may take until its node is there, how long a node after another one, and an end.
+# Importing rclpy takes seconds on a slow machine.
+START_SEC, LATER_SEC, END_SEC = 15.0, 2.0, 10.0
 # How often a program may lose a race that is rclpy's own.
 _TIMES = 3
 _SPINS = {'spin', 'spin_once', 'spin_until_future_complete'}
@@ -57,17 +57,9 @@ class Program(NamedTuple):
     namespace: str
     """The node's namespace within the corner, as ``Trial.start`` takes it."""
 
-    def expect_line(self, text: str, when: str) -> str:
-        """Expect the program to have logged or printed a text, or to do so soon, and return the last line with it."""
-        found = wait(lambda: text in self.terminal.text, LINE_SEC)
-        lines = self.terminal.text.strip().splitlines()
-        expect(found, f'it logs or prints `{text}` {when}',
-               f'its last line is `{lines[-1]}`' if lines else 'it prints nothing')
-        return next(line for line in reversed(lines) if text in line)
 
-
-def start_file(trial: Trial, words: str, copy: Path | None = None) -> Terminal:
-    """Start the learner's file with Python, or a copy of it.
+def _start_file(trial: Trial, words: str) -> Terminal:
+    """Start the learner's file with Python.
 
     :raises NoUse: there is none, or nothing in it, or it is no Python.
     """
@@ -83,25 +75,21 @@ def start_file(trial: Trial, words: str, copy: Path | None = None) -> Terminal:
         raise NoUse('a whole program, from its imports to its last line', 'there is nothing in the file yet')
     # A page's Python has no program of its own. There the learner's runs in this thread, up to its first `spin`.
     python = sys.executable if Path(sys.executable).stem.startswith('python') else 'python3'
-    command = f'{shlex.join([python, str((copy or path).resolve())])} {words}'
+    command = f'{shlex.join([python, str(path.resolve())])} {words}'
     return cast(Terminal, trial.call('the program', Terminal, command))
 
 
-Start = Callable[[Trial, str], Terminal]
-
-
 @contextlib.contextmanager
-def running(trial: Trial, exercise: Exercise, words: str = '', start: Start = start_file) -> Iterator[Program]:
+def running(trial: Trial, exercise: Exercise, words: str = '') -> Iterator[Program]:
     """Start the learner's program, and end it after the block.
 
     :param words: More words after ``--ros-args``.
-    :param start: Starts it with these words; by default as ``python3 FILE``.
     :raises NoUse: there is none, or its node doesn't come, or doesn't answer.
     """
     namespace = f'/program_{next(_numbers)}'
     remapped = ' '.join(f'-r {rule}' for rule in moved_to(f'{CORNER}{namespace}'))
     before = Counter(trial.ros.services.node_names(hidden=True))
-    terminal = start(trial, f'--ros-args {remapped} {words}')
+    terminal = _start_file(trial, f'--ros-args {remapped} {words}')
     file = _source_file(trial, exercise)
     try:
         name = _wait_for_node(trial, exercise, terminal, f'{CORNER}{namespace}/', before)
@@ -188,22 +176,22 @@ def _expect_quiet_import(trial: Trial) -> None:
         rclpy.init = init
 
 
-def require_ends(exercise: Exercise, see: str, start: Start = start_file) -> None:
+def require_ends(exercise: Exercise, see: str) -> None:
     """Add two requirements: that each of the two signals that end programs ends this one in peace."""
     @exercise.require('Ctrl+C ends it, without a traceback', see=see)
     def interrupted(trial: Trial) -> None:
-        _expect_end(trial, exercise, signal.SIGINT, start)
+        _expect_end(trial, exercise, signal.SIGINT)
 
     @exercise.require('SIGTERM, which `docker stop` sends, ends it without a traceback too', see=see)
     def terminated(trial: Trial) -> None:
-        _expect_end(trial, exercise, signal.SIGTERM, start)
+        _expect_end(trial, exercise, signal.SIGTERM)
 
 
-def _expect_end(trial: Trial, exercise: Exercise, number: signal.Signals, start: Start) -> None:
+def _expect_end(trial: Trial, exercise: Exercise, number: signal.Signals) -> None:
     # rclpy's handler of signals shuts the context down in a thread of its own. Now and then that comes in the middle of
     # a `spin` or a `try_shutdown`, which then raises an RCLError through no fault of its caller.
     for left in reversed(range(_TIMES)):
-        with running(trial, exercise, start=start) as program:
+        with running(trial, exercise) as program:
             # In the middle of a callback, a signal lets `spin` return in peace, and no exception has to be caught.
             program.terminal.wait_until_idle(LATER_SEC)
             # rclpy 7.1.6 goes on after one SIGTERM in twenty-five: its executor wakes before the context is shut down,
@@ -216,20 +204,6 @@ def _expect_end(trial: Trial, exercise: Exercise, number: signal.Signals, start:
                 expect(status in (0, -number, 128 + number), f'{number.name} ends it with exit status 0',
                        f'its exit status is {status}, which stands for an error')
                 return
-
-
-def expect_no_start(trial: Trial, exercise: Exercise, words: str) -> None:
-    """Expect the program to end with an error when it is started with some words after ``--ros-args``."""
-    try:
-        with running(trial, exercise, words):
-            pass
-    except NoUse as error:
-        if not error.happened.startswith('it ended'):
-            raise
-        expect('exit status 0' not in error.happened, f'an error after a start with `{words}`', error.happened)
-        return
-    raise NotYet(f'no start with `{words}`', 'the program has started. A callback that is registered after the '
-                 'declarations never sees the start values')
 
 
 # -- what a program says of itself ------------------------------------------------------------------------------------

@@ -100,7 +100,6 @@ RIGHT = {
     ],
     '10.5c': [
         [('return [outcome', 'return sorted([outcome'), ("!= 'set']", "!= 'set'], reverse=True)")],
-        [('restore(node, wanted)', 'restore(node, wanted, one_by_one=True)')],
         [(_BODY, '''    from param_tools import ParameterClient, compare
     client = ParameterClient(node)
     defaults = ParameterSet.defaults(node_class)
