@@ -137,11 +137,6 @@ def made(tmp_path_factory):
     (notebooks / 'index.md').write_text(INDEX)
     for name, cells in (('1_limits', LIMITS), ('2_robot', ROBOT)):
         write_chapter(notebooks / f'{name}.ipynb', cells)
-    (notebooks / 'solutions').mkdir()
-    path = lesson.write(notebooks / 'solutions' / '2_robot.ipynb', ('# Solutions', SOLVED))
-    solved = nbformat.read(path, as_version=4)
-    solved.cells[1].id = 'solution-7-3b'
-    nbformat.write(solved, path)
     site = Site(notebooks, folder / 'html', folder / 'work')
     site.build()
     return site

@@ -241,12 +241,6 @@ def test_a_learner_sees_what_a_check_tries_and_gets_its_hints_and_nothing_of_tha
     assert stored == '[]\n[]\n'
 
 
-@pytest.mark.parametrize(('replaced', 'has_link'), [(('(self):', '(self)'), False), (('(Node)', ''), True)])
-def test_what_python_cannot_read_leads_to_no_section_of_the_chapter(ros, replaced, has_link):
-    result = exercises.check('3a', solution('3a', replaced))
-    assert (result.done, any(each.see for each in result.findings)) == (False, has_link)
-
-
 def test_hints_come_one_by_one_and_end_at_the_solution(monkeypatch):
     monkeypatch.setattr(exercises, '_hints_given', {})
     hints = EXERCISES['4b'].hints
