@@ -3,28 +3,27 @@
 
 from param_tutorial.views.drawing import track
 from param_tutorial.views.drawing.calls import Call, Line, draw_calls
-from param_tutorial.views.drawing.ladder import draw_ladder
+from param_tutorial.views.drawing.ladder import Step, draw_ladder
 from param_tutorial.views.drawing.number_line import Attempt, Scale, draw_number_line
 from param_tutorial.views.drawing.plane import Way, draw_plane
 from param_tutorial.views.drawing.plots import Band, LinePlot
-from param_tutorial.views.drawing.timeline import Step
 
 # Names and values are text, whatever is in them.
 EVIL = '<b>"&'
 
 _ACCEPTED = [
-    Step('asked', 'set speed to 900', '100', comes_from='you', proposed='900'),
+    Step('asked', 'set speed to 900', '100', proposed='900'),
     Step('pre-set', 'trim sees 900, gives 300', '100', who='trim', proposed='300'),
     Step('on-set', 'judge sees 300, accepts', '100', who='judge', proposed='300'),
     Step('stored', 'the value is written', '300'),
-    Step('event', 'speed = 300', '300', goes_to='everybody'),
+    Step('event', 'speed = 300', '300'),
     Step('post-set', 'act sees 300', '300', who='act', proposed='300'),
-    Step('answer', 'successful', '300', goes_to='you')]
+    Step('answer', 'successful', '300')]
 _WHY = 'too fast for this robot and its wheels, which are small'
 _REJECTED = [*_ACCEPTED[:2],
              Step('on-set', 'judge sees 300, rejects', '100', who='judge', proposed='300', objection=_WHY),
-             Step('answer', f'rejected: {_WHY}', '100', goes_to='you', objection=_WHY)]
-_OUT_OF_RANGE = [_ACCEPTED[0], Step('answer', 'rejected: out of range', '100', goes_to='you', objection='out of range')]
+             Step('answer', f'rejected: {_WHY}', '100', objection=_WHY)]
+_OUT_OF_RANGE = [_ACCEPTED[0], Step('answer', 'rejected: out of range', '100', objection='out of range')]
 _RAISED = [_ACCEPTED[0], Step('pre-set', 'trim sees 900, raises TypeError', '100', who='trim',
                               objection='raises TypeError'), Step('no answer', 'the caller would wait forever', '100')]
 _RAISED_LATE = [*_ACCEPTED[:5], Step('post-set', '', '300', who='act', proposed='300', objection='raises ValueError'),

@@ -13,7 +13,6 @@ with lazy.Imports(__name__) as _imports:
     from param_tutorial.views.ladder import LadderView as LadderView
     from param_tutorial.views.number_line import NumberLineView as NumberLineView
     from param_tutorial.views.plane import PlaneView as PlaneView
-    from param_tutorial.views.set_recorder import record_change as record_change
     from param_tutorial.views.side_by_side import SideBySide as SideBySide
     from param_tutorial.views.step_response import StepResponseView as StepResponseView
     from param_tutorial.views.track import TrackView as TrackView

@@ -32,7 +32,7 @@ class LadderView(PictureView):
 
     def _climb(self, node: str | Node | ParameterClient, value: Any) -> Diagram:
         record = record_set(node, self._name, value)
-        return draw_ladder(record.timeline.node, self._name, record.timeline.steps, record.objection)
+        return draw_ladder(record.node, self._name, record.steps, record.objection)
 
     def _ask(self, value: Any) -> str:
         self._replace(self._climb(self.node, value))

@@ -90,7 +90,7 @@ class NumberLineView(AnimatedView, FollowingView):
                 self._stop_sets = follow_sets(node, self._on_set)
 
     def _on_set(self, record: RecordedSet) -> None:
-        if record.timeline.name == self._name:
+        if record.name == self._name:
             self._latest = record
             self._job.wake()
 

@@ -1,7 +1,6 @@
 """Record what becomes of each set of parameters on its way through a node.
 
-``record_change`` returns what happened in one set as a table, and ``record_set`` what came of it, too; NumberLineView
-follows one set after another.
+``record_set`` asks for one set and returns what came of it; NumberLineView follows one set after another.
 """
 
 import contextlib
@@ -22,7 +21,7 @@ from param_tools.ros import rclpy_private, stage
 from param_tools.ros.executor import function_name
 from param_tools.ros.listeners import Listeners
 from param_tutorial.views.base import name_of
-from param_tutorial.views.drawing.timeline import Step, Timeline
+from param_tutorial.views.drawing.ladder import Step
 
 
 @dataclass(frozen=True)
@@ -31,25 +30,16 @@ class RecordedSet:
 
     value: Any
     """What was asked for."""
-    timeline: Timeline
-    """What happened, with the names of node and parameter; of several parameters, those of the first."""
+    node: str
+    """The full name of the node."""
+    name: str
+    """The parameter; of several, the first."""
+    steps: tuple[Step, ...]
+    """What happened, in this order: callbacks, the moment when the value is stored, the event, the answer."""
     stored: Any
     """What the node has when it is over; None if there is no such parameter."""
     objection: str
     """Why the node did not take the value, in the node's words; empty if it did."""
-
-
-def record_change(node: Node, name: str, value: Any) -> Timeline:
-    """Ask a node to set one parameter, and record what happens in it, in that order.
-
-    The record holds the calls of the node's callbacks, the moment when the value is stored, and the message on
-    /parameter_events; the node behaves as without a record. An exception in a callback is noted too.
-
-    :param node: On the stage; what happens in another process cannot be looked into.
-    :raises ExecutorError: the node is not on the stage.
-    :raises InvalidValueError: no parameter can hold this value.
-    """
-    return record_set(node, name, value).timeline
 
 
 def record_set(node: str | Node | ParameterClient, name: str, value: Any) -> RecordedSet:
@@ -71,7 +61,7 @@ def record_set(node: str | Node | ParameterClient, name: str, value: Any) -> Rec
             ParameterClient(here).set_parameter(name, value)
     finally:
         stop_following()
-    return next(record for record in reversed(records) if record.timeline.name == name)
+    return next(record for record in reversed(records) if record.name == name)
 
 
 def follow_sets(node: Node, listener: Callable[[RecordedSet], object]) -> Callable[[], None]:
@@ -141,13 +131,15 @@ class _SetRecorder:
         else:
             objection = '' if result.successful else result.reason or 'no reason given'
             if result.successful:
-                record.note('answer', 'successful', goes_to='you')
+                record.note('answer', 'successful')
             return result
         finally:
             self._records.pop()
             if objection and record.steps[-1].what != 'no answer':
-                record.note('answer', f'rejected: {objection}', goes_to='you', objection=objection)
-            self._listeners.call(RecordedSet(parameters[0].value, record.timeline, record.stored, objection))
+                record.note('answer', f'rejected: {objection}', objection=objection)
+            self._listeners.call(RecordedSet(
+                parameters[0].value, self._node.get_fully_qualified_name(), parameters[0].name, tuple(record.steps),
+                record.stored, objection))
 
     def _call(self, kind: str, callback: rclpy_private.ParameterCallback, parameters: list[Parameter]) -> Any:
         # A declaration calls the on-set callbacks too.
@@ -170,12 +162,7 @@ class _Record:
         self._node, self._name = node, parameters[0].name
         self.steps: list[Step] = []
         value = values.format_value(parameters[0].value)
-        self.note('asked', f'set {self._name} to {value}', comes_from='you', proposed=value)
-
-    @property
-    def timeline(self) -> Timeline:
-        """What has happened so far."""
-        return Timeline(self._node.get_fully_qualified_name(), self._name, self.steps)
+        self.note('asked', f'set {self._name} to {value}', proposed=value)
 
     @property
     def stored(self) -> Any:
@@ -217,7 +204,7 @@ class _Record:
         happened = ', '.join(f'{name} = {values.format_value(value)}' for name, value in changes(event).items())
         self.note('stored', 'the value is written')
         publish(event)
-        self.note('event', happened, goes_to='everybody')
+        self.note('event', happened)
 
     def _proposed(self, parameters: object) -> str:
         """Return the value of the parameter in a list as text; empty if it is not in there."""

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 
 from param_tutorial.views.drawing import svg
 from param_tutorial.views.drawing.diagram import Diagram, Moving, Seen
-from param_tutorial.views.drawing.timeline import Step
 
 _TOP, _ROW, _BOTTOM = 46, 44, 16
 _NAME_X, _LADDER_X, _RAIL, _MARK_X, _WORDS_X, _STORED_X = 14, 206, 44, 272, 294, 700
@@ -22,6 +21,24 @@ _RUNGS = (('asked', 'request'), ('pre-set', 'pre-set callbacks'), ('checks', "rc
           ('post-set', 'post-set callbacks'), ('answer', 'answer'))
 _CHECKS = 2
 _STORED = 4
+
+
+@dataclass(frozen=True)
+class Step:
+    """One moment of a change on its way through a node, as ``set_recorder`` has recorded it."""
+
+    what: str
+    """In a word or two, e.g. 'on-set'."""
+    happened: str
+    """As a sentence, e.g. 'validate: sees 300, accepts'."""
+    stored: str
+    """The value that the parameter had at this moment."""
+    who: str = ''
+    """The callback that was called; empty if none was."""
+    proposed: str = ''
+    """The value on its way when the moment is over; empty if it does not change."""
+    objection: str = ''
+    """Why the value gets no further, e.g. the callback's reason; empty if it does."""
 
 
 @dataclass(frozen=True)
