@@ -541,6 +541,7 @@ def test_paper_is_white_and_all_code_is_on_it(page):
         return [...document.querySelectorAll('.bd-article p, .bd-article h1, .cell_input span')].filter(each =>
           each.textContent.trim() && brightness(getComputedStyle(each).color) > 450).length }''') == 0
     expect(page.locator('.cell_input .highlight pre').first).to_have_css('white-space', 'pre-wrap')
+    expect(page.get_by_text('ros = param_tutorial.start()')).to_be_visible()  # what is folded on a screen
     for whole in ('.cell_input', '.live-view', '.lesson-prediction'):
         expect(page.locator(whole).first).to_have_css('break-inside', 'avoid')
     # Of a flexible box Chromium prints no more than would fit if no page came to an end.
