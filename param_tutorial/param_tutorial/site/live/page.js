@@ -239,11 +239,12 @@ export class Page {
    */
   async ask(place, code) {
     const above = this.cells.findLast(({element}) => element && isAbove(element, place));
-    if (above) this.wake(above.facts.id);
+    const paragraph = place.closest('p') ?? undefined;
+    if (above) this.wake(above.facts.id, paragraph);
     const asked = new Cell({id: `asked-${this.byId.size}`, source: code, digest: '', roots: [], states: {}}, null);
     this.byId.set(asked.facts.id, asked);
     const hasRun = new Promise(resolve => asked.waiting.push(() => resolve(undefined)));
-    this.begin();
+    this.begin(paragraph);
     this.tellToRun(asked);
     await hasRun;
     this.byId.delete(asked.facts.id);
