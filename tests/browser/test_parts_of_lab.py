@@ -22,10 +22,10 @@ CELLS = (
     'from param_tutorial.views import SideBySide, TrackView\n\n%load_ext param_tutorial\n'
     'ros = param_tutorial.start()\nbase = ros.add(BaseNode)\n'
     'SideBySide(TrackView(base), ParameterPanel(base))',
-    '## A question\nTo declare is one thing, an atomic request another:',
+    '### A question\nTo declare is one thing, an atomic request another:',
     "exercises.predict('1-1')", "print('decided')", 'What it means:',
-    '## What an exercise says\nA check:', "exercises.check('1a', {})",
-    '## The words\n\n| word | meaning |\n| --- | --- |\n| to declare | create a parameter |\n'
+    '### What an exercise says\nA check:', "exercises.check('1a', {})",
+    '### The words\n\n| word | meaning |\n| --- | --- |\n| to declare | create a parameter |\n'
     '| atomic | all or nothing |',
 )
 SIGHTS = (

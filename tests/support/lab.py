@@ -205,14 +205,15 @@ class CourseLab(Lab):
 class LabPage:
     """One notebook, open in JupyterLab in a browser."""
 
-    def __init__(self, lab: Lab, browser: Browser, notebook: str):
+    def __init__(self, lab: Lab, browser: Browser, notebook: str, mode: str = 'doc'):
+        # "simple", doc, shows one document, without the file browser.
         self.page: Page = browser.new_page(viewport={'width': 1280, 'height': 900})
         self.page.set_default_timeout(TIMEOUT_SEC * 1000)
         self.errors: list[str] = []
         self.page.on('console', lambda message: message.type == 'error' and self.errors.append(message.text))
         self.page.on('pageerror', lambda error: self.errors.append(error.stack or str(error)))
-        # "simple" shows one document, without the file browser; reset, so that no earlier layout is restored.
-        self.page.goto(f'{lab.url}doc/tree/{notebook}?token={lab.token}&reset')
+        # Reset, so that no earlier layout is restored.
+        self.page.goto(f'{lab.url}{mode}/tree/{notebook}?token={lab.token}&reset')
         self.wait_for_kernel()
 
     def reload(self) -> None:

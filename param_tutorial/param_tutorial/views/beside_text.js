@@ -1,8 +1,9 @@
-/* In JupyterLab, two views beside the text of their notebook: in sight, and once, whatever cells show them again.
+/* In JupyterLab, two views beside the text that is about them: in sight, and once, whatever cells show them again.
 
-   Each `SideBySide` offers its views. Beside the text stand those of the cell that ran last, or that the reader chose; in
-   the cells that offer the same ones, a button leads there. Where JupyterLab has no room, and everywhere else, the views
-   stand in the cells. Each widget has a copy of this script, so what they share is kept with the notebook's element. */
+   Each `SideBySide` offers its views. They belong to the text from their own cell to the next heading `## …`, and on, where
+   that heading's cell has the tag `stage`. Beside other text they fold to a strip, which a click unfolds. Where JupyterLab
+   has no room, and everywhere else, the views stand in the cells. Each widget has a copy of this script, so what they share
+   is kept with the notebook's element. */
 
 import {make, one} from '../../param_tools/panel/dom.js';
 import {initialize} from '../../param_tools/panel/front.js';
@@ -12,96 +13,160 @@ import {initialize} from '../../param_tools/panel/front.js';
  * @typedef {object} Offer
  * @property {Set<HTMLElement>} cells Where it is drawn in the notebook: nowhere yet if its cell is out of sight.
  * @property {string} views Which ones.
- * @property {number} at When the cell ran, or the reader chose it, in seconds.
+ * @property {string} nodes The names of their nodes, in words.
+ * @property {() => string} shown The id of the widget that the cell shows.
  * @property {() => Promise<any>} draw Draws them once more.
  * @property {Place} [place]
  */
 
 /** By the ids of the widgets. @type {Map<string, Offer>} */
 const offers = new Map();
-/** Of a notebook in JupyterLab, with its toolbar. */
-const PANEL = '.jp-NotebookPanel';
 /** Below this the text would have too little room. */
 const MIN_WIDTH_PX = 900;
+/** The text in sight is the last that begins above this part of the height. */
+const IN_SIGHT = 2 / 3;
+/** So long the text must stand still, and what moves it in this time is the stage. */
+const QUIET_MS = 200;
 
 /** The place beside the text of a notebook. */
 class Place {
   /** @type {Set<Offer>} */
   offers = new Set();
+  /** What the text in sight is about. @type {Offer | undefined} */
+  about;
+  /** What the reader chose beside this text. @type {Offer | undefined} */
+  chosen;
   /** @type {Offer | undefined} */
   shown;
   /** What the shown offer has drawn. @type {any} */
   view;
   isWanted = true;
+  quietUntil = 0;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   timer;
   element = make('aside', {className: 'beside-text', tabIndex: -1});
   body = make('div', {className: 'side-by-side'});
+  strip = make('button', {type: 'button', className: 'beside-strip'});
 
-  /** @param {HTMLElement} panel */
-  constructor(panel) {
-    this.panel = panel;
+  /** @param {any} widget JupyterLab's notebook, with its toolbar. */
+  constructor(widget) {
+    this.panel = /** @type {HTMLElement} */ (widget.node);
+    this.notebook = widget.content;
+    this.text = one(this.panel, '.jp-WindowedPanel-outer');
     this.element.setAttribute('aria-label', 'Beside the text');
     const back = make('button', {type: 'button', className: 'beside-button'}, 'Put into the cell');
-    back.addEventListener('click', () => this.want(false));
-    this.element.append(back, this.body);
-    panel.append(this.element);
+    back.addEventListener('click', () => this.want(undefined));
+    this.strip.addEventListener('click', () => this.want(this.nearest().offer));
+    this.element.append(this.strip, back, this.body);
+    this.panel.append(this.element);
     this.resized = new ResizeObserver(() => this.update());
-    this.resized.observe(panel);
+    this.resized.observe(this.panel);
+    this.text.addEventListener('scroll', () => performance.now() < this.quietUntil || this.update(QUIET_MS));
+    this.notebook.activeCellChanged.connect(() => this.update(QUIET_MS));
+    for (const end of ['pointerleave', 'focusout']) this.element.addEventListener(end, () => this.update(QUIET_MS));
   }
 
-  /** @param {boolean} isWanted */
-  want(isWanted) {
-    this.isWanted = isWanted;
+  /** @param {Offer | undefined} offer What the reader wants beside this text; without one, it goes into the cells. */
+  want(offer) {
+    this.isWanted = Boolean(offer);
+    this.chosen = offer;
     this.show();
-    if (isWanted) this.element.focus();
+    (offer ? this.element : this.strip).focus();
   }
 
   /** Show what there is now: when a kernel ends, all offers are withdrawn, one after the other. */
-  update() {
+  update(afterMs = 0) {
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.show());
+    this.timer = setTimeout(() => this.show(), afterMs);
   }
 
-  /** Show what was offered or chosen last, if there is room, and say so in the cells. */
+  /** Return the cell in sight: the active one may be lower, when it has just run. */
+  cellInSight() {
+    const {top, height, bottom} = this.text.getBoundingClientRect();
+    const tops = this.notebook.widgets.map((/** @type {any} */ cell) => cell.node.getBoundingClientRect().top);
+    const active = this.notebook.activeCellIndex;
+    return Math.max(
+      tops.findLastIndex((/** @type {number} */ each) => each <= top + IN_SIGHT * height),
+      tops[active] < bottom ? active : -1,
+    );
+  }
+
+  /** Return the offer of the nearest cell above the text in sight, and whether that text is about it. */
+  nearest() {
+    const all = [...this.offers];
+    let isAbout = true;
+    for (let index = this.cellInSight(); index >= 0; index--) {
+      const {model} = this.notebook.widgets[index];
+      const outputs = Array.from({length: model.outputs?.length ?? 0}, (_, at) => model.outputs.get(at).data);
+      const ids = outputs.map(data => data['application/vnd.jupyter.widget-view+json']?.model_id);
+      const offer = all.find(each => ids.includes(each.shown()));
+      if (offer) return {offer, isAbout};
+      isAbout &&=
+        !/^## /m.test(model.type === 'markdown' ? model.sharedModel.source : '') ||
+        Boolean(model.getMetadata('tags')?.includes('stage'));
+    }
+    return {offer: all[0], isAbout: false};
+  }
+
+  /** Show what the text in sight is about, or the reader chose, if there is room, and say so in the cells. */
   async show() {
-    const [last] = [...this.offers].sort((one, other) => other.at - one.at);
-    const isShown = Boolean(last) && this.isWanted && this.panel.clientWidth >= MIN_WIDTH_PX;
-    this.panel.toggleAttribute('data-beside-text', isShown);
+    const hasRoom = this.panel.clientWidth >= MIN_WIDTH_PX;
+    const {offer, isAbout} = this.nearest();
+    // What a reader uses stays.
+    const isUsed = this.element.matches(':hover, :has(:focus-visible)') && this.about && this.offers.has(this.about);
+    if (!isUsed && this.about !== (isAbout ? offer : undefined)) {
+      this.about = isAbout ? offer : undefined;
+      this.chosen = undefined;
+    }
+    if (this.chosen && !this.offers.has(this.chosen)) this.chosen = undefined;
+    const wanted = hasRoom && this.isWanted ? (this.chosen ?? this.about) : undefined;
+    this.fold(!hasRoom || !offer ? undefined : wanted ? 'open' : 'strip');
+    this.strip.textContent = `◂ ${offer?.nodes}`;
     for (const {cells, views} of this.offers) {
       for (const cell of cells) {
-        const isBeside = isShown && views === last.views;
-        cell.toggleAttribute('data-is-beside', isBeside);
-        one(cell, 'button').textContent = isBeside ? 'Beside the text →' : 'Put beside the text';
-        cell.toggleAttribute('data-has-room', this.panel.clientWidth >= MIN_WIDTH_PX);
+        cell.toggleAttribute('data-is-beside', hasRoom && this.isWanted);
+        one(cell, 'button').textContent = views === wanted?.views ? 'Beside the text →' : 'Put beside the text';
+        cell.toggleAttribute('data-has-room', hasRoom);
       }
     }
-    if (this.shown && isShown && this.shown.views === last.views && this.offers.has(this.shown)) return;
+    if (this.shown && wanted && this.shown.views === wanted.views && this.offers.has(this.shown)) return;
     // Once the notebook is closed there is nothing to take from the page.
     if (this.view?.el.isConnected) this.view.remove();
     this.view = undefined;
-    this.shown = isShown ? last : undefined;
-    if (!this.shown) return;
-    const view = await this.shown.draw();
+    this.shown = wanted;
+    if (!wanted) return;
+    const view = await wanted.draw();
     // Meanwhile another one may have taken the place.
-    if (this.shown !== last) view.remove();
+    if (this.shown !== wanted) view.remove();
     else {
       this.view = view;
       view.luminoWidget.constructor.attach(view.luminoWidget, this.body);
     }
   }
+
+  /** Give the stage its width, and keep the line that is read where it is. @param {'open' | 'strip' | undefined} state */
+  fold(state) {
+    if (this.panel.dataset.besideText === state) return;
+    const {node} = this.notebook.widgets[this.cellInSight()] ?? this.notebook;
+    const before = node.getBoundingClientRect().top;
+    if (state) this.panel.dataset.besideText = state;
+    else delete this.panel.dataset.besideText;
+    this.text.scrollTop += node.getBoundingClientRect().top - before;
+    this.quietUntil = performance.now() + QUIET_MS;
+  }
 }
 
-/** @param {Offer} offer @param {Element | null} panel */
-function putBeside(offer, panel) {
-  if (!panel || offer.place) return;
-  const shared = /** @type {any} */ (panel);
-  shared.besideText ??= new Place(shared);
-  offer.place = /** @type {Place} */ (shared.besideText);
-  offer.place.offers.add(offer);
+/** @param {Offer} offer @param {any} manager The widgets', which knows their notebook, also while that is out of sight. */
+function putBeside(offer, manager) {
+  for (const widget of /** @type {any} */ (window).jupyterapp?.shell.widgets('main') ?? []) {
+    if (widget.context !== manager.context || offer.place) continue;
+    widget.node.besideText ??= new Place(widget);
+    offer.place = /** @type {Place} */ (widget.node.besideText);
+    offer.place.offers.add(offer);
+  }
 }
 
-/** @param {import('@anywidget/types').InitializeProps<{own_id: string, box: string, views: string, at: number}>} props */
+/** @param {import('@anywidget/types').InitializeProps<{own_id: string, shown: string, box: string, views: string, nodes: string}>} props */
 async function offerViews(props) {
   const {model} = props;
   const manager = /** @type {any} */ (model.widget_manager);
@@ -109,14 +174,12 @@ async function offerViews(props) {
   const offer = {
     cells: new Set(),
     views: model.get('views'),
-    at: model.get('at'),
+    nodes: model.get('nodes'),
+    shown: () => model.get('shown'),
     draw: async () => manager.create_view(await manager.get_model(model.get('box').slice('IPY_MODEL_'.length))),
   };
   offers.set(model.get('own_id'), offer);
-  // JupyterLab draws a cell only once it is in sight, and the manager of the widgets knows their notebook before.
-  for (const panel of /** @type {any} */ (window).jupyterapp?.shell.widgets('main') ?? []) {
-    if (panel.context === manager.context) putBeside(offer, panel.node);
-  }
+  putBeside(offer, manager);
   offer.place?.update();
   function withdraw() {
     offers.delete(model.get('own_id'));
@@ -139,15 +202,12 @@ function render({model, el}) {
   const button = make('button', {type: 'button', className: 'beside-button'});
   cell.classList.add('beside-offer');
   cell.append(button);
-  button.addEventListener('click', () => {
-    offer.at = Date.now() / 1000;
-    offer.place?.want(true);
-  });
+  button.addEventListener('click', () => offer.place?.want(offer));
   offer.cells.add(cell);
   // Before it is on the page, or it would be seen in the cell for a moment.
   offer.place?.show();
   const arrived = new ResizeObserver(() => {
-    putBeside(offer, cell.closest(PANEL));
+    putBeside(offer, model.widget_manager);
     offer.place?.update();
   });
   arrived.observe(cell);

@@ -1,7 +1,5 @@
 """Two views as one: a picture, and beside it the panel that changes it."""
 
-import time
-
 import ipywidgets as widgets
 import traitlets
 
@@ -21,12 +19,17 @@ class _Offer(Front):
     box = traitlets.Instance(widgets.HBox).tag(sync=True, **widgets.widget_serialization)
     views = traitlets.Unicode().tag(sync=True)
     """Which ones are in the box."""
-    at = traitlets.Float().tag(sync=True)
-    """When the cell ran, in seconds since 1970."""
+    nodes = traitlets.Unicode().tag(sync=True)
+    """The names of their nodes, in words."""
+    shown = traitlets.Unicode().tag(sync=True)
+    """The id of the widget that the cell shows."""
 
 
 class SideBySide(widgets.VBox):
     """A picture and a panel: beside the text of the notebook where JupyterLab has room for that, or else in the cell.
+
+    They belong to the text from the cell to the next heading ``## …``, and on where that heading's cell has the tag
+    ``stage``. Beside other text they are folded.
 
     In a cell they are side by side where there is room for both, and the picture is above the panel elsewhere. The
     picture stays in sight while you scroll through a long panel. Show it as the last line of a cell, and the same views
@@ -42,8 +45,10 @@ class SideBySide(widgets.VBox):
         self._box = widgets.HBox(self.parts)
         self._box.add_class('side-by-side-parts')
         self._style = widgets.HTML(_STYLE)
-        self._offer = _Offer(box=self._box, views=' '.join(part.model_id for part in self.parts), at=time.time())
+        self._offer = _Offer(box=self._box, views=' '.join(part.model_id for part in self.parts),
+                             nodes=' and '.join(dict.fromkeys(part.node for part in self.parts)))
         super().__init__([self._style, self._offer, self._box])
+        self._offer.shown = self.model_id
         self.add_class('side-by-side')
         self._stop_watching = [part.on_close(self._drop) for part in self.parts]
         close_with_cell(self)

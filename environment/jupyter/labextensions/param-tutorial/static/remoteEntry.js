@@ -1,6 +1,7 @@
 /* What the course adds to JupyterLab: a widget whose kernel has ended says so, and a click on it runs its cell again.
    Text is as wide as the pictures, and what is printed breaks between words. The list of files shows no folder but the
-   learner's own: links lead to the others. The hints of a check look like buttons.
+   learner's own: links lead to the others. When the first chapter opens in a window that has no room for it beside a stage
+   and the text, that list closes. The hints of a check look like buttons.
 
    JupyterLab marks each widget of a kernel that was restarted with a broken link, and leaves its buttons to look alive.
    In a notebook that is opened again, it shows an error in the widget's place.
@@ -12,6 +13,8 @@ const WORDS = 'The kernel is new. Click here to run this cell, after all cells a
 const RESTARTED = '.jp-OutputArea-output > .jupyter-widgets-disconnected';
 // JupyterLab's own error is the only text that stands here without an element around it.
 const REOPENED = '.jp-OutputArea-output.jupyter-widgets:not(:has(*))';
+// Code of 80 characters stands beside a stage in what is left of it, with the list closed.
+const NARROW_PX = 1600;
 const STYLE = `
 .jupyter-widgets-disconnected::before { content: none !important; }
 ${RESTARTED}::before, ${REOPENED}::before {
@@ -25,7 +28,7 @@ ${RESTARTED} > * { filter: grayscale(1); opacity: 0.55; pointer-events: none; in
 @media screen { :is(.jp-RenderedHTML, .param-check) > svg[width] { max-width: none !important; } }
 :is(.jp-RenderedHTML, .param-check) > svg[width="500"] { max-width: 100% !important; min-width: 356px; }
 .jp-RenderedMarkdown { max-width: 60em; }
-.jp-OutputArea-output pre { word-break: normal !important; overflow-wrap: anywhere; }
+.jp-OutputArea-output pre { word-break: normal !important; overflow-wrap: anywhere; text-indent: 4ch hanging each-line; }
 .param-help { margin-top: 8px; }
 .param-help summary { width: fit-content; margin: 8px 0; padding: 2px 12px; border: 1px solid var(--jp-border-color1);
   border-radius: 4px; background: var(--jp-layout-color2); cursor: pointer; list-style: none; }
@@ -38,6 +41,12 @@ function activate(app) {
   const style = document.createElement('style');
   style.textContent = STYLE;
   document.head.append(style);
+  const close = (/** @type {any} */ shell) => {
+    if (!shell.currentWidget?.node.matches('.jp-NotebookPanel')) return;
+    shell.currentChanged.disconnect(close);
+    if (innerWidth < NARROW_PX) shell.collapseLeft();
+  };
+  app.shell.currentChanged.connect(close);
   document.addEventListener('click', async event => {
     const stale = /** @type {Element} */ (event.target).closest(`${RESTARTED}, ${REOPENED}`);
     const cells = app.shell.currentWidget?.content?.widgets ?? [];
