@@ -510,12 +510,16 @@ def test_on_a_phone_texts_keep_their_shape_and_pictures_scroll(page):
 def test_a_lesson_begins_with_what_can_be_touched(page):
     view, goals = page.locator('.robot-view').first, page.get_by_text('drive.', exact=True)
     assert view.bounding_box()['y'] < page.locator('.lesson-goals').bounding_box()['y'] < 900
-    expect(goals).to_be_hidden()
+    stage = page.get_by_text('ros = param_tutorial.start()')
+    page.emulate_media(media='print')
+    for folded in (goals, stage):
+        expect(folded).to_be_visible()
+    page.emulate_media(media='screen')
+    for folded in (goals, stage):
+        expect(folded).to_be_hidden()
     page.get_by_text('5 minutes: what you can do afterward').click()
     expect(goals).to_be_visible()
     expect(page.get_by_text('Run the cell:')).to_have_count(0)  # it is above now, and needs no run
-    stage = page.get_by_text('ros = param_tutorial.start()')
-    expect(stage).to_be_hidden()
     page.locator('summary', has_text='Set the stage: 13 lines').click()
     expect(stage).to_be_visible()
 
@@ -541,7 +545,6 @@ def test_paper_is_white_and_all_code_is_on_it(page):
         return [...document.querySelectorAll('.bd-article p, .bd-article h1, .cell_input span')].filter(each =>
           each.textContent.trim() && brightness(getComputedStyle(each).color) > 450).length }''') == 0
     expect(page.locator('.cell_input .highlight pre').first).to_have_css('white-space', 'pre-wrap')
-    expect(page.get_by_text('ros = param_tutorial.start()')).to_be_visible()  # what is folded on a screen
     for whole in ('.cell_input', '.live-view', '.lesson-prediction'):
         expect(page.locator(whole).first).to_have_css('break-inside', 'avoid')
     # Of a flexible box Chromium prints no more than would fit if no page came to an end.

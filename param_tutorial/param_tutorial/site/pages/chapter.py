@@ -60,7 +60,8 @@ def chapter_source(path: Path, live: LiveChapter, pages: set[str], *, alone: dic
 def _begin_with_what_can_be_touched(notebook: nbformat.NotebookNode) -> None:
     """Put what the first cell shows right below the question, and fold its code, and what the chapter is for."""
     first, stage = notebook.cells[0], next((cell for cell in notebook.cells if cell.cell_type == 'code'), None)
-    if stage:
+    # A class without a view is what the text is about.
+    if stage and (stage.outputs or not re.search('^class ', stage.source, re.MULTILINE)):
         words = f'Set the stage: {len(stage.source.splitlines())} lines'
         stage.metadata.tags = [*stage.metadata.get('tags', ()), 'hide-input']
         stage.metadata.mystnb = {'code_prompt_show': words, 'code_prompt_hide': words}
