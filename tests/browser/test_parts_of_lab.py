@@ -23,7 +23,7 @@ CELLS = (
     'ros = param_tutorial.start()\nbase = ros.add(BaseNode)\n'
     'SideBySide(TrackView(base), ParameterPanel(base))',
     '### A question\nTo declare is one thing, an atomic request another:',
-    "exercises.predict('1-1')", "print('decided')", 'What it means:',
+    "exercises.predict('1-6')", "print('decided')", 'What it means:',
     '### What an exercise says\nA check:', "exercises.check('1a', {})",
     '### The words\n\n| word | meaning |\n| --- | --- |\n| to declare | create a parameter |\n'
     '| atomic | all or nothing |',
