@@ -619,7 +619,7 @@ def test_a_chapter_that_fails_stops_the_build_and_the_old_site_stays(made, tmp_p
         nbformat.v4.new_markdown_cell('# 3 · Broken'),
         nbformat.v4.new_code_cell('undefined', execution_count=1)]), notebooks / '3_broken.ipynb')
     with pytest.raises(ChapterError, match=r"3_broken\.ipynb, cell \d \(undefined\): its page's node says something"):
-        Site(notebooks, made.target, made.work).build()
+        Site(notebooks, made.target, made.work, ['3']).build()
     assert files(made.target) == before
 
 
