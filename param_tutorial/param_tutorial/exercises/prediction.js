@@ -87,7 +87,8 @@ export function askForPrediction(form, {commit, skip, forget}) {
     event.preventDefault();
     form.requestSubmit(); // JupyterLab keeps the browser from it
   });
-  one(form, '.param-predict-skip').addEventListener('click', () => skip?.());
+  const skipButton = one(form, '.param-predict-skip');
+  skipButton.addEventListener('click', () => skip?.());
 
   /** @param {string} kept */
   return function show(kept, isDecided = true, note = '', isToldBelow = false) {
@@ -108,6 +109,7 @@ export function askForPrediction(form, {commit, skip, forget}) {
     button.disabled = !isCommitted && !given();
     if (isCommitted && isHere) button.focus();
     fields.disabled = isCommitted;
+    skipButton.style.display = isCommitted ? 'none' : ''; // also where the veil shows it
     button.textContent = !isCommitted ? 'Commit' : forget ? 'Answer again' : 'Committed';
     button.classList.toggle('param-predict-committed', isCommitted && !forget);
     button.classList.toggle('param-predict-again', isCommitted && Boolean(forget));
