@@ -44,7 +44,7 @@ def test_a_damaged_file_is_named(file):
 @pytest.mark.parametrize(('done', 'solved'), [(True, ['3b']), (False, []), (None, [])])
 def test_a_check_is_remembered_if_all_is_done(monkeypatch, file, done, solved):
     result = Result('3b', [Finding('it is so', done)], 1, 'A worked solution, to compare: solutions/3.ipynb')
-    monkeypatch.setattr(EXERCISES['3b'], 'check', lambda _: result)
+    monkeypatch.setattr(EXERCISES['3b'], 'check', lambda *_: result)
     (file.path.parent / 'index.md').write_text('| 3 | [Declaring](03_declaring.ipynb) | … |\n')
     exercises.check('3b', object)
     assert list(file.read()[0].solved) == solved

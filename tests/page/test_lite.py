@@ -356,7 +356,7 @@ def run_in_lesson(page, code):
 
 def write_in_lesson(page, code):
     """Run code in place of a lesson's last cell, and don't wait."""
-    cell = page._page.locator('div.cell').last
+    cell = page._page.locator('div.cell:has(.live-tools)').last
     cell.get_by_role('button', name='Edit the code of this cell').click()
     cell.get_by_role('textbox', name='The code of this cell').fill(code)
     cell.get_by_role('button', name='Run this cell').click()

@@ -46,6 +46,8 @@ def cells(taken=''):
             changed = {name: text for name, text in ours(step).items() if ours(before).get(name) != text}
             for name, text in changed.items():
                 yield f'package.save({name!r}, {text + MINE * name.endswith(".py")!r})'
+        if step == '2d':
+            yield "if shell.can_run:\n    shell.run('cd ~/ros2_ws && colcon build')"
         yield f"print(exercises.check('{step}', package))"
     yield 'print(package.status().words)'
 
