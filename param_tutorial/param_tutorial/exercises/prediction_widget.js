@@ -16,7 +16,8 @@ import {askForPrediction} from './prediction.js';
  */
 function goOn(el, isToRun) {
   const app = /** @type {any} */ (window).jupyterapp; // missing outside of JupyterLab
-  const notebook = app?.shell.currentWidget?.content;
+  const panels = /** @type {any[]} */ ([...(app?.shell.widgets('main') ?? [])]);
+  const notebook = panels.find(({node}) => node.contains(el))?.content;
   const cells = /** @type {any[]} */ (notebook?.widgets ?? []);
   const own = cells.findIndex(({node}) => node?.contains(el));
   const next = cells.findIndex(({model}, at) => at > own && model.type === 'code');
