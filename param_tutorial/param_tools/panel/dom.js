@@ -47,6 +47,27 @@ export function focusedBeside(element) {
   return /** @type {Document | ShadowRoot} */ (element.getRootNode()).activeElement;
 }
 
+/**
+ * Follow the pointer until it is let go.
+ * @param {(event: PointerEvent) => void} move
+ * @param {(event: PointerEvent) => void} [end]
+ */
+export function followPointer(move, end) {
+  const ended = new AbortController();
+  const {signal} = ended;
+  document.addEventListener('pointermove', move, {signal});
+  for (const kind of /** @type {const} */ (['pointerup', 'pointercancel'])) {
+    document.addEventListener(
+      kind,
+      event => {
+        ended.abort();
+        end?.(event);
+      },
+      {signal},
+    );
+  }
+}
+
 /** Return a name that no other script on the page has. Each view has its scripts for itself, so counting would not do. */
 export function uniqueName() {
   return Math.random().toString(36).slice(2);

@@ -2,7 +2,7 @@
    robot stops, as a second robot in the pictures of the track. Both can be dragged, and the line knows the keyboard. The
    robot itself then drives through both. */
 
-import {all, one} from '../../param_tools/panel/dom.js';
+import {all, followPointer, one} from '../../param_tools/panel/dom.js';
 
 /** @typedef {{low: number, high: number, unit: string, tolerance: number, is_track: boolean}} Scale */
 
@@ -126,10 +126,5 @@ function drag(event) {
   if (!robot || !way || !marker || marker.line.matches(':disabled') || event.button !== 0) return;
   event.preventDefault();
   const held = event.clientX - robot.getBoundingClientRect().left;
-  const ended = new AbortController();
-  const move = (/** @type {PointerEvent} */ moved) => marker.moveTo((moved.clientX - held - way.left) / way.width);
-  document.addEventListener('pointermove', move, {signal: ended.signal});
-  for (const end of ['pointerup', 'pointercancel']) {
-    document.addEventListener(end, () => ended.abort(), {signal: ended.signal});
-  }
+  followPointer(({clientX}) => marker.moveTo((clientX - held - way.left) / way.width));
 }

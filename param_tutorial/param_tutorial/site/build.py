@@ -16,7 +16,7 @@ from param_tutorial.site.browser import lite
 from param_tutorial.site.live.site import Live
 from param_tutorial.site.pages.chapter import COURSE, chapter_source
 from param_tutorial.site.pages.front_page import at_home_source, front_page_source
-from param_tutorial.site.pages.links import DEEPER, LAB, NOTEBOOKS, has_solutions
+from param_tutorial.site.pages.links import DEEPER, LAB, NOTEBOOKS, has_solutions, is_deeper
 from param_tutorial.site.pages.writing import BuildError, write_pages, write_static
 from param_tutorial.site.replacing import replace
 
@@ -68,7 +68,7 @@ class Site:
         self._write_sources()
         print('Writing the pages', flush=True)
         settings = {**self.live.settings(), 'html_context.lab': LAB if self._has_lab else '',
-                    'html_context.deeper': [path.stem for path in self.chapters if path.parent.name == DEEPER]}
+                    'html_context.deeper': [path.stem for path in self.chapters if is_deeper(path)]}
         write_pages(self.work / 'source', self.work / 'html', self.work / 'doctrees', settings=settings)
         self._delete_stale_pages()
         if self._has_lab:

@@ -1,5 +1,7 @@
 /* Drag the marker of a number line to another value. */
 
+import {followPointer} from '../../param_tools/panel/dom.js';
+
 /**
  * Let a reader drag the marker in the picture above a line.
  * @param {HTMLElement} line
@@ -46,7 +48,6 @@ function drag(pin, fromX, ask) {
   const perUnit = (high - low) / (highX - lowX);
   // Whole numbers, or as many digits as a hand can tell apart.
   const digits = dataset.whole === undefined ? Math.max(1, Math.ceil(-Math.log10(perUnit * 2))) : 0;
-  const ended = new AbortController();
   let text = '';
 
   /** @param {PointerEvent} event */
@@ -60,14 +61,10 @@ function drag(pin, fromX, ask) {
 
   /** @param {PointerEvent} event */
   function end(event) {
-    ended.abort();
     pin.removeAttribute('transform');
     /** @type {Element} */ (label).textContent = before;
     if (event.type === 'pointerup' && text) ask(text);
   }
 
-  document.addEventListener('pointermove', move, {signal: ended.signal});
-  for (const each of ['pointerup', 'pointercancel']) {
-    document.addEventListener(each, /** @type {EventListener} */ (end), {signal: ended.signal});
-  }
+  followPointer(move, end);
 }

@@ -5,7 +5,7 @@
 
    names the node, the parameter, and the lowest value, the highest and the step that a hand can reach. */
 
-import {all, make} from '../../../param_tools/panel/dom.js';
+import {all, followPointer, make} from '../../../param_tools/panel/dom.js';
 
 const PX_PER_STEP = 6;
 
@@ -78,21 +78,10 @@ class Handle {
     event.preventDefault();
     this.place.focus();
     const from = this.value;
-    const ended = new AbortController();
-    const move = (/** @type {PointerEvent} */ moved) => {
-      this.show(from + Math.round((moved.clientX - event.clientX) / PX_PER_STEP) * this.step);
-    };
-    document.addEventListener('pointermove', move, {signal: ended.signal});
-    for (const end of ['pointerup', 'pointercancel']) {
-      document.addEventListener(
-        end,
-        () => {
-          ended.abort();
-          this.send();
-        },
-        {signal: ended.signal},
-      );
-    }
+    followPointer(
+      ({clientX}) => this.show(from + Math.round((clientX - event.clientX) / PX_PER_STEP) * this.step),
+      () => this.send(),
+    );
   }
 
   /** @param {KeyboardEvent} event */

@@ -13,7 +13,7 @@ from param_tutorial.notebook.stored import WIDGET
 from param_tutorial.site.live.running import EXPLAINED, LiveCell, LiveChapter
 from param_tutorial.site.live.stills import still
 from param_tutorial.site.pages import drawing
-from param_tutorial.site.pages.links import DEEPER, LAB, NOTEBOOKS, Links
+from param_tutorial.site.pages.links import DEEPER, LAB, NOTEBOOKS, Links, is_deeper
 
 # The folder and the archive of the course that the site offers.
 COURSE = 'param-course'
@@ -124,7 +124,7 @@ def _html_cell(name: str, content: str) -> nbformat.NotebookNode:
 
 
 def _download_note(path: Path, has_lab: bool) -> str:
-    name = f'{DEEPER}/{path.name}' if path.parent.name == DEEPER else path.name
+    name = f'{DEEPER}/{path.name}' if is_deeper(path) else path.name
     in_lab = (f' As a notebook: <a href="{LAB}/lab/index.html?path={name}">in JupyterLab, in this browser</a>.'
               if has_lab else '')
     return (f'<p class="lesson-about-page">A node runs in this page: rclpy’s own code, without a network. Change any '

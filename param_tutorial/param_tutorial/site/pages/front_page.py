@@ -11,7 +11,7 @@ from param_tutorial.site.live.running import LiveChapter
 from param_tutorial.site.live.stills import still
 from param_tutorial.site.pages import drawing
 from param_tutorial.site.pages.chapter import COURSE, NO_SCRIPT, live_cells
-from param_tutorial.site.pages.links import DEEPER, LAB, Links
+from param_tutorial.site.pages.links import LAB, Links, is_deeper
 
 _ROW = re.compile(r'\| *([\d.]+) *\| *\[([^]]+)\]\((\w+)\.ipynb\) *\| *([^|]+?) *\| *(\d+(?: \+ \d+)?) *\|'
                   r'(?: *([^|\n]+?) *\|)?')
@@ -107,8 +107,8 @@ def front_page_source(index: Path, chapters: Mapping[Path, LiveChapter], facts: 
     :param facts: From which state of the course the lessons ran, and on what; see ``archive.provenance``.
     :param has_lab: True if JupyterLab for the browser is a part of the site.
     """
-    names = [path.stem for path in chapters if path.parent.name != DEEPER]
-    deeper = [path.stem for path in chapters if path.parent.name == DEEPER]
+    names = [path.stem for path in chapters if not is_deeper(path)]
+    deeper = [path.stem for path in chapters if is_deeper(path)]
     # There, all but the first five chapters is folded.
     text = re.sub(r'</?details>\n|<summary>.*</summary>\n', '', index.read_text(encoding='utf-8') + '\n')
     links = Links(index, nbformat.v4.new_notebook(), {*names, *deeper, 'claims'})

@@ -27,6 +27,11 @@ _TAG = re.compile(r'<[^>]+>')
 _ELSEWHERE = re.compile(r'\bchapter (\d+(?:\.\d+)?), (“[^“”]+”)')
 
 
+def is_deeper(path: Path) -> bool:
+    """True if a notebook is one of those that go deeper."""
+    return path.parent.name == DEEPER
+
+
 def has_solutions(name: str, pages: set[str]) -> bool:
     """True if a notebook of solutions, by its name without ending, is that of one of some pages."""
     return any(page.startswith(name.removesuffix(_SOLVED)) for page in pages)
