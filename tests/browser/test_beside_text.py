@@ -111,6 +111,12 @@ def test_it_folds_beside_text_about_something_else_and_unfolds_at_a_click_or_whe
     expect(strip(page)).to_be_visible()
 
 
+def test_shift_enter_beside_the_text_runs_the_cell_of_the_notebook(page):
+    page.select_cell(AGAIN)
+    page.box('max_speed_mps').press('Shift+Enter')
+    page.page.wait_for_function(f'jupyterapp.shell.currentWidget.content.activeCellIndex === {AGAIN + 1}')
+
+
 def test_a_reader_puts_it_into_the_cell_and_back(page):
     page.run_cell(OTHER)
     expect(beside(page).get_by_label('stop_distance_m', exact=True)).to_be_visible()

@@ -19,6 +19,7 @@ from param_tutorial.site.build import Site
 from param_tutorial.site.live.running import ChapterError
 from param_tutorial.site.pages import writing
 from tests.support import lesson, missing
+from tests.support.axe import violations
 from tests.support.firefox import FIREFOX, firefox
 from tests.support.lab import ROOT
 from tests.support.server import Server
@@ -94,7 +95,7 @@ ROBOT = (
     'A text with a shape, and a sentence:',
     "print('/heater:\\n  ros__parameters:\\n    label: ' + 'a long name ' * 9)",
     "print('A sentence goes on' + ' and on' * 20)",
-    '## Two sources\n\nThe later one wins.',
+    '## Two sources\n\n' + 'The later one wins.\n\n' * 20,
     '## 7.3b · Put three sources in order',
     "sources = [\n    '-p max_speed_mps:=0.7',\n    '--params-file slow.yaml',\n    '--params-file fast.yaml',\n]",
     "from param_tutorial import exercises\n\nexercises.check('7.3b', sources)",
@@ -116,6 +117,8 @@ def write_chapter(path, cells):
     for at, cell in enumerate(notebook.cells):
         if 'exercises.check(' in cell.source:
             notebook.cells[at - 1].id, cell.id = 'exercise-7-3b', 'check-7-3b'
+        if cell.source.startswith(('## Next', '## Two sources')):
+            cell.metadata.tags = ['stage']
     if '1 / 0' in notebook.cells[-1].source:
         notebook.cells[-1].metadata.tags = ['raises-exception']
     NotebookClient(notebook, kernel_name='python3', store_widget_state=False, coalesce_streams=True,
@@ -286,6 +289,11 @@ def test_what_a_callback_prints_later_is_seen_below_the_cell_that_ran_last(page)
     type_into(page, 'power_w', '150')
     type_into(page, 'power_w', '160')
     expect(printed).to_have_text('begun seen 150 seen 160', use_inner_text=True)
+    log = page.get_by_role('list', name='What nodes and callbacks said')
+    expect(log).to_have_text(re.compile(r'^\d\d:\d\d:\d\d seen 150\d\d:\d\d:\d\d seen 160$'))
+    editor.fill("heater.get_logger().warn('hot')")
+    editor.press('Shift+Enter')
+    expect(log.get_by_role('listitem').last).to_contain_text('[WARN] [heater]: hot')
     editor.fill('timer = heater.create_timer(0.01, endless)')
     editor.press('Shift+Enter')
     expect(printed).to_contain_text('this callback did not return, so it was interrupted')
@@ -474,18 +482,66 @@ def test_a_page_lives_where_the_browser_keeps_nothing(page):
 
 @robot
 def test_the_robot_drives_and_a_change_on_the_way_takes_effect_on_the_way(page):
-    word, says = page.locator('.robot-word').first, page.locator('.robot-says').first
-    page.get_by_role('button', name='Back to the start').first.click()
+    margin = page.locator('.live-margin')
+    word, says = margin.locator('.robot-word'), margin.locator('.robot-says')
+    margin.get_by_role('button', name='Back to the start').click()
     expect(word).to_have_text('DRIVING', timeout=60_000)
     type_into(page, 'stop_distance_m', '1.5')
     type_into(page, 'max_speed_mps', '1.0')
-    expect(page.locator('.track-speed').first).to_have_text('1.00 m/s', timeout=60_000)
+    expect(margin.locator('.track-speed')).to_have_text('1.00 m/s', timeout=60_000)
     expect(says).to_contain_text('The robot stands', timeout=60_000)
     expect(word).to_have_text('STOPPED')
     # A touch runs no step of the lesson below it.
     expect(box(page, 'max_speed_mps')).to_have_value('1.0')
     run(cell_with(page, 'value=0.7'))
     expect(box(page, 'max_speed_mps')).to_have_value('0.7')
+
+
+@robot
+def test_robot_and_panel_stand_beside_the_text_that_is_about_them_and_fold_beside_other_text(page):
+    margin = page.get_by_role('complementary', name='Beside the text')
+    strip = margin.get_by_role('button', name='the robot and /driver')
+    view, panel = margin.locator('.robot-view'), margin.locator('.param-panel')
+
+    def go_to(heading):
+        page.get_by_role('heading', name=heading).evaluate('each => each.scrollIntoView()')
+
+    expect(view.or_(panel)).to_have_count(2)
+    assert page.locator('.bd-article :is(.robot-view, .param-panel):visible').count() == 0
+    go_to('Two sources')
+    expect(view).to_be_in_viewport()
+    go_to('Put three sources in order')
+    expect(view).to_have_count(0)
+    strip.click()
+    expect(panel).to_be_visible()
+    box(page, 'max_speed_mps').focus()
+    go_to('Two sources')
+    go_to('Put three sources in order')
+    expect(box(page, 'max_speed_mps')).to_be_focused()  # what a reader uses stays
+    page.emulate_media(media='print')
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    expect(page.locator('.bd-article .robot-view:visible')).to_have_count(2)
+    page.emulate_media(media='screen')
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    page.get_by_role('button', name='Beside the text').last.click()
+    expect(view).to_be_in_viewport()
+    assert violations(page, '.live-margin') == []
+
+
+@robot_on_a_phone
+def test_on_a_phone_a_sheet_at_the_foot_shows_what_is_out_of_sight(page):
+    sheet = page.get_by_role('complementary', name='Beside the text')
+    strip = sheet.get_by_role('button', name='the robot and /driver')
+    expect(strip).to_be_hidden()
+    page.get_by_role('heading', name='Two sources').evaluate('each => each.scrollIntoView()')
+    before = page.locator('.bd-article').bounding_box()['height']
+    strip.click()
+    expect(sheet.locator('.robot-view')).to_be_in_viewport()
+    assert sheet.bounding_box()['height'] <= page.viewport_size['height'] / 3 + 1
+    assert page.locator('.bd-article').bounding_box()['height'] == before
+    strip.click()
+    expect(sheet.locator('.robot-view')).to_have_count(0)
+    expect(page.locator('.bd-article .robot-view')).to_have_count(2)
 
 
 @robot_on_a_phone
@@ -508,7 +564,7 @@ def test_on_a_phone_texts_keep_their_shape_and_pictures_scroll(page):
 
 @robot
 def test_a_lesson_begins_with_what_can_be_touched(page):
-    view, goals = page.locator('.robot-view').first, page.get_by_text('drive.', exact=True)
+    view, goals = page.locator('.live-margin .robot-view'), page.get_by_text('drive.', exact=True)
     assert view.bounding_box()['y'] < page.locator('.lesson-goals').bounding_box()['y'] < 900
     stage = page.get_by_text('ros = param_tutorial.start()')
     page.emulate_media(media='print')
@@ -647,7 +703,7 @@ def test_the_same_site_in_firefox(made, tmp_path):
             page.wait_for("document.documentElement.dataset.lesson === 'ready'")
 
         show('2_robot.html')
-        page.click('.robot-drive')
+        page.click('.live-margin .robot-drive')
         page.wait_for("document.querySelector('.robot-word').textContent === 'DRIVING'")
         page.wait_for("document.querySelector('.robot-says').textContent.includes('The robot stands')")
         show('1_limits.html')

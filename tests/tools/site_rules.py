@@ -80,7 +80,7 @@ def check_page(page):
     found += [f'{each} scrolls sideways without a sign, or out of the keyboard’s reach' for each in unnoticed]
     too_wide = page.evaluate('document.documentElement.scrollWidth > innerWidth')
     undrawn = page.evaluate('''() => [...document.querySelectorAll('.live-view')]
-        .filter(each => !each.getBoundingClientRect().height).map(each => each.dataset.cell)''')
+        .filter(each => each.checkVisibility() && !each.offsetHeight).map(each => each.innerHTML.slice(0, 100))''')
     lost = page.evaluate('''() => [...document.querySelectorAll('a[href^="#"]')].filter(each => each.hash.length > 1
         && !document.getElementById(decodeURIComponent(each.hash.slice(1)))).map(each => each.hash)''')
     found += [f'a link leads to {each}, which is not on the page' for each in lost]

@@ -1,7 +1,7 @@
 /* In JupyterLab, two views beside the text that is about them: in sight, and once, whatever cells show them again.
 
-   Each `SideBySide` offers its views. They belong to the text from their own cell to the next heading `## …`, and on, where
-   that heading's cell has the tag `stage`. Beside other text they fold to a strip, which a click unfolds. Where JupyterLab
+   Each `SideBySide` offers its views. They belong to the section of their cell, up to the next heading `## …`, and to each
+   later section whose heading's cell has the tag `stage`, until others do. Beside other text they fold to a strip, which a click unfolds. Where JupyterLab
    has no room, and everywhere else, the views stand in the cells. Each widget has a copy of this script, so what they share
    is kept with the notebook's element. */
 
@@ -57,6 +57,8 @@ class Place {
     const back = make('button', {type: 'button', className: 'beside-button'}, 'Put into the cell');
     back.addEventListener('click', () => this.want(undefined));
     this.strip.addEventListener('click', () => this.want(this.nearest().offer));
+    // Before JupyterLab hears it, which would go back to the cell that it knows as active, and stay there.
+    this.element.addEventListener('keydown', event => this.goOn(event), {capture: true});
     this.element.append(this.strip, back, this.body);
     this.panel.append(this.element);
     this.resized = new ResizeObserver(() => this.update());
@@ -72,6 +74,14 @@ class Place {
     this.chosen = offer;
     this.show();
     (offer ? this.element : this.strip).focus();
+  }
+
+  /** Shift + Enter runs the notebook's cell, also from a box beside it. @param {KeyboardEvent} event */
+  goOn(event) {
+    if (event.key !== 'Enter' || !event.shiftKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    /** @type {any} */ (window).jupyterapp.commands.execute('notebook:run-cell-and-select-next');
   }
 
   /** Show what there is now: when a kernel ends, all offers are withdrawn, one after the other. */
@@ -94,16 +104,17 @@ class Place {
   /** Return the offer of the nearest cell above the text in sight, and whether that text is about it. */
   nearest() {
     const all = [...this.offers];
-    let isAbout = true;
+    /** @type {boolean | undefined} */
+    let isStage;
     for (let index = this.cellInSight(); index >= 0; index--) {
       const {model} = this.notebook.widgets[index];
       const outputs = Array.from({length: model.outputs?.length ?? 0}, (_, at) => model.outputs.get(at).data);
       const ids = outputs.map(data => data['application/vnd.jupyter.widget-view+json']?.model_id);
       const offer = all.find(each => ids.includes(each.shown()));
-      if (offer) return {offer, isAbout};
-      isAbout &&=
-        !/^## /m.test(model.type === 'markdown' ? model.sharedModel.source : '') ||
-        Boolean(model.getMetadata('tags')?.includes('stage'));
+      if (offer) return {offer, isAbout: isStage ?? true};
+      // The first heading above the text in sight is that of its section.
+      if (model.type === 'markdown' && /^## /m.test(model.sharedModel.source))
+        isStage ??= Boolean(model.getMetadata('tags')?.includes('stage'));
     }
     return {offer: all[0], isAbout: false};
   }
@@ -180,6 +191,8 @@ async function offerViews(props) {
   };
   offers.set(model.get('own_id'), offer);
   putBeside(offer, manager);
+  // Its cell is known only after the widget has come.
+  model.on('change:shown', () => offer.place?.update());
   offer.place?.update();
   function withdraw() {
     offers.delete(model.get('own_id'));

@@ -28,8 +28,8 @@ class _Offer(Front):
 class SideBySide(widgets.VBox):
     """A picture and a panel: beside the text of the notebook where JupyterLab has room for that, or else in the cell.
 
-    They belong to the text from the cell to the next heading ``## …``, and on where that heading's cell has the tag
-    ``stage``. Beside other text they are folded.
+    They belong to the section of the cell, up to the next heading ``## …``, and to each later section whose heading's
+    cell has the tag ``stage``. Beside other text they are folded.
 
     In a cell they are side by side where there is room for both, and the picture is above the panel elsewhere. The
     picture stays in sight while you scroll through a long panel. Show it as the last line of a cell, and the same views

@@ -6,10 +6,11 @@
 
 /**
  * What the kernel says: that it begins with a cell; an output of a cell; that an earlier output is another one now, or that all before are to go;
- * what a widget has become; which exercises are solved;
+ * what a widget has become; what a node has logged; which exercises are solved;
  * and how a cell has ended.
  * @typedef {{is: 'begin', cell: string} | {is: 'output', cell: string, output: any} | {is: 'update', display: string, output: any} |
  *   {is: 'clear', cell: string, wait: boolean} | {is: 'widget', does: string, name: string, state?: any, content?: any} |
+ *   {is: 'log', time_ms: number, text: string} |
  *   {is: 'solved', numbers: string[]} | {is: 'ran', cell: string, status: string}} Said
  */
 
@@ -32,6 +33,21 @@ const PREPARE = `
       raise StdinNotImplementedError("input() can't ask in a web page: write the answer into the cell, e.g. answer = 'yes'")
 
   builtins.input = no_input
+`;
+
+// From the first executor on.
+const FOLLOW_LOG = `
+  import contextlib
+  from param_tools.errors import ExecutorError
+  from param_tools.ros import stage
+
+  def follow_log(tell):
+      def begin():
+          with contextlib.suppress(ExecutorError):  # it was stopped
+              stage.current().node_log.on_line(lambda line: tell(line.time_ns / 1e6, str(line)))
+      stage.on_change(begin)
+
+  follow_log
 `;
 
 const SETTLE = `
@@ -118,6 +134,9 @@ export class Kernel {
     const {kernel_instance, ipython_shell, stdout_stream, stderr_stream} = python.pyimport('pyodide_kernel');
     this.kernel = kernel_instance;
     this.settle = python.runPython(SETTLE);
+    python.runPython(FOLLOW_LOG)((/** @type {number} */ time_ms, /** @type {string} */ text) =>
+      this.say({is: 'log', time_ms, text}),
+    );
     const output = (/** @type {any} */ content) => this.say({is: 'output', cell: this.cell, output: content});
     const print = (/** @type {string} */ name, /** @type {string} */ text) => this.print(name, text);
     stdout_stream.publish_stream_callback = print;

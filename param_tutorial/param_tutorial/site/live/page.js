@@ -9,6 +9,7 @@ import {reachPictures, wrapSentences} from '../scripts/wide.js';
 import {keepCode, keptCode} from './kept_code.js';
 import {keepFiles, keptFiles} from './kept_files.js';
 import {digest, WIDGET} from './kernel.js';
+import {Margin} from './margin.js';
 import {letDrag} from './numbers.js';
 import {Output} from './outputs.js';
 import {View} from './widgets.js';
@@ -122,13 +123,17 @@ export class Page {
     this.line = make('div', {className: 'live-step', hidden: true});
     this.line.setAttribute('role', 'status');
     this.say('asleep');
+    this.margin = new Margin(() => this.cells.flatMap(({views}) => [...views.values()]));
     for (const cell of this.cells) {
       for (const still of cell.element ? all(cell.element, '.live-view') : []) {
         const root = still.dataset.root ?? '';
         const view = new View(this, cell.facts.id, root, cell.facts.states);
         cell.views.set(root, view);
         // Nothing on the page moves: the first picture stays until there is another.
-        Promise.all(view.loading).then(() => still.replaceWith(view.element));
+        Promise.all(view.loading).then(() => {
+          still.replaceWith(view.element);
+          this.margin.update();
+        });
       }
     }
   }
@@ -287,6 +292,7 @@ export class Page {
     if (said.is === 'begin' && cell) cell.isRunning = true;
     if (said.is === 'begin') this.timer = setTimeout(() => this.offerStop(), PATIENCE_MS);
     if (said.is === 'widget') this.hearOfWidget(said);
+    else if (said.is === 'log') this.margin.say(said.time_ms, said.text);
     else if (said.is === 'update') this.replace(said);
     else if (said.is === 'files') keepFiles(said.changes);
     else if (said.is === 'solved') this.keepSolved(said.numbers);
@@ -318,6 +324,7 @@ export class Page {
   /** @param {Cell} cell @param {any} output */
   hearOutput(cell, output) {
     const root = output.data?.[WIDGET]?.model_id;
+    if (!cell.isRunning && output.output_type === 'stream') this.margin.say(Date.now(), output.text);
     if (!root || cell.isOwn) {
       cell.add(output);
       return;
@@ -364,6 +371,7 @@ export class Page {
       cell.views.delete(root);
       this.views.delete(view);
     }
+    this.margin.update();
     if (this.running) this.tellHowFar();
     else this.rest();
   }

@@ -17,6 +17,8 @@ install(python, new Uint8Array(fs.readFileSync(packages)));
 let said = [];
 let heardAt = 0;
 const page = new Kernel(python, (each) => {
+  // A node may log every second; its page shows that, and nothing moves.
+  if (each.is === "log") return;
   heardAt = performance.now();
   said.push(each);
 });

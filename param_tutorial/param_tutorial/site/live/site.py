@@ -78,4 +78,5 @@ class Live:
     def settings(self) -> dict[str, Any]:
         """Return Sphinx's settings for live pages."""
         return {'html_context.live_policy': POLICY, 'html_context.later_scripts': [_PYTHON, _EDITOR],
+                'html_context.lessons': [path.stem for path in self.chapters],
                 'html_js_files': ['fronts.js', 'lessons.js']}

@@ -68,7 +68,7 @@ export class Handle {
     if (this.isLive) this.view.page.tell(this.name, data);
     else {
       this.waiting.push(data);
-      this.view.page.wake(this.view.cell, this.view.element);
+      this.view.page.wake(this.view.cell, this.view.inner);
     }
   }
 
@@ -177,9 +177,11 @@ export class View {
     this.page = page;
     this.cell = cell;
     this.states = states;
-    this.element = make('div', {className: 'live-view'});
-    this.element.append(this.draw(root));
+    // What stands in the text, and what may stand beside it.
+    this.inner = make('div', {className: 'live-view'}, this.draw(root));
+    this.element = make('div', {}, this.inner);
     page.views.add(this);
+    page.margin.take(this);
   }
 
   /** @param {string} name */

@@ -23,6 +23,8 @@ NO_SCRIPT = ('<noscript>\n<p class="lesson-about-page">This browser runs no scri
 # The end of a chapter's first text; the last part of it announces the cell below.
 _GOALS = re.compile(r'^After this chapter you can\n\n(.*?)\n\n\*(\d+ minutes)\. *(.*?)\*(.*)', re.DOTALL | re.MULTILINE)
 
+_SECTION = re.compile('^## .*$', re.MULTILINE)
+
 
 def chapter_source(path: Path, live: LiveChapter, pages: set[str], *, alone: dict[str, str] | None = None,
                    has_lab: bool = False) -> nbformat.NotebookNode:
@@ -48,6 +50,8 @@ def chapter_source(path: Path, live: LiveChapter, pages: set[str], *, alone: dic
     for cell in notebook.cells:
         if cell.cell_type == 'markdown':
             cell.source = links.in_markdown(cell.source)
+            if 'stage' in cell.metadata.get('tags', ()):
+                cell.source = _SECTION.sub(r'\g<0>\n\n<div class="lesson-stage" hidden></div>', cell.source, count=1)
         cells.append(cell)
         if cell.id.startswith('check-') and (help_html := _help_html(cell.id.removeprefix('check-'), path)):
             cells.append(_html_cell(f'help-{cell.id}', links.in_check(help_html)))
