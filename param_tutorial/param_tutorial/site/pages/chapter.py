@@ -51,7 +51,7 @@ def chapter_source(path: Path, live: LiveChapter, pages: set[str], *, alone: dic
         if cell.cell_type == 'markdown':
             cell.source = links.in_markdown(cell.source)
             if 'stage' in cell.metadata.get('tags', ()):
-                cell.source = _SECTION.sub(r'\g<0>\n\n<div class="lesson-stage" hidden></div>', cell.source, count=1)
+                cell.source = _SECTION.sub(r'\g<0>\n\n<div class="lesson-stage" hidden></div>', cell.source)
         cells.append(cell)
         if cell.id.startswith('check-') and (help_html := _help_html(cell.id.removeprefix('check-'), path)):
             cells.append(_html_cell(f'help-{cell.id}', links.in_check(help_html)))
