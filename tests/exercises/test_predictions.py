@@ -68,6 +68,11 @@ def test_a_marker_near_a_choice_means_that_choice_and_is_told_as_it_was_put(ask,
     assert capsys.readouterr().out.endswith('You predicted: 0.1 m\n✓ Right. Yes.\n')
 
 
+def test_a_wrong_answer_is_told_the_right_one_unless_its_sentence_says_it():
+    told = [MARKED.words_for(MARKED.choice(each)) for each in ('0', '5', '7')]
+    assert told == ['Yes.', 'Less. The answer is “0 m”.', 'It is 0.']
+
+
 def test_a_recall_is_decided_at_once(bare_ipython):
     assert exercises.recall(next(iter(RECALLS))).is_decided
     assert not exercises.predict('6.1-1').is_decided
@@ -85,7 +90,8 @@ def test_verdict_and_veil_wait_for_the_next_cell_and_one_stands_below_its_output
     capsys.readouterr()
     bare_ipython.run_cell('print("the output")')
     assert (view.is_decided, view.is_told_below, lifted) == (True, True, ['1-1'])
-    assert capsys.readouterr().out == 'the output\nYou predicted: a text\n✗ Not so. It is a `number`.\n'
+    assert capsys.readouterr().out == ('the output\nYou predicted: a text\n'
+                                       '✗ Not so. It is a `number`. The answer is “a number”.\n')
     bare_ipython.run_cell('print("another")')
     assert capsys.readouterr().out == 'another\n'
 

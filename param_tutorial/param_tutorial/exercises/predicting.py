@@ -101,7 +101,7 @@ class PredictionView(Front):
             answer = f'{self.answer} {scale.unit}'.strip() if scale else self.answer
             return {'text/html': f'{STYLE}<div class="param-predict"><p>You predicted: '
                                  f'<q>{with_code(answer)}</q></p><p>{verdict(self.prediction, choice)}</p></div>',
-                    'text/plain': f'You predicted: {answer}\n{choice.word} {choice.sentence}'}
+                    'text/plain': f'You predicted: {answer}\n{choice.word} {self.prediction.words_for(choice)}'}
 
     def _on_message(self, _widget: object, content: dict[str, Any], _buffers: object) -> None:
         if content.get('do') == 'commit':
@@ -127,7 +127,7 @@ def draw_form(prediction: Prediction, linked: Callable[[str], str] = str) -> str
     """
     scale = prediction.scale
     facts = {'verdicts': {each.text: linked(verdict(prediction, each)) for each in prediction.choices},
-             'right': next(each.text for each in prediction.choices if each.is_right),
+             'right': prediction.right,
              'otherwise': (linked(verdict(prediction, wrong('', prediction.otherwise)))
                            if prediction.is_number else None),
              'scale': scale and asdict(scale)}
@@ -170,7 +170,7 @@ def _draw_scale(scale: Scale, common: str) -> str:
 def verdict(prediction: Prediction, choice: Choice) -> str:
     """Return what is said to an answer, as HTML."""
     css_class = 'param-predict-right' if choice.is_right else 'param-predict-wrong'
-    return f'<b class="{css_class}">{choice.word}</b> {with_code(f"{choice.sentence} {prediction.pointer}".strip())}'
+    return f'<b class="{css_class}">{choice.word}</b> {with_code(prediction.words_for(choice))}'
 
 
 class _Watch:

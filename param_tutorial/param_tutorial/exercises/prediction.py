@@ -96,9 +96,16 @@ class Prediction:
         return '\n'.join([f'{self.word} {self.number} · {self.question}', *(f'    {line}' for line in lines)])
 
     @property
-    def pointer(self) -> str:
-        """The sentence that says where to look it up; empty if the next cell shows it."""
-        return ''
+    def right(self) -> str:
+        """The text of the right choice."""
+        return next(each.text for each in self.choices if each.is_right)
+
+    def words_for(self, choice: Choice) -> str:
+        """Return what is said to an answer after the verdict in short: why, and what is right."""
+        if choice.is_right or choice.sentence == self.otherwise:  # that one says it itself
+            return choice.sentence
+        answer = f'{self.right} {self.scale.unit if self.scale else ""}'.strip()
+        return f'{choice.sentence} The answer is “{answer}”.'
 
 
 @dataclass(frozen=True)
@@ -113,6 +120,5 @@ class Recall(Prediction):
     word: ClassVar[str] = 'Recall'
     is_decided_by_a_cell: ClassVar[bool] = False
 
-    @property
-    def pointer(self) -> str:
-        return f'You learned it in chapter {self.chapter}, “{self.section}”.'
+    def words_for(self, choice: Choice) -> str:
+        return f'{super().words_for(choice)} You learned it in chapter {self.chapter}, “{self.section}”.'
