@@ -554,6 +554,7 @@ def test_on_a_phone_texts_keep_their_shape_and_pictures_scroll(page):
         for cell in (shaped, sentence):
             run(cell)
         wait_for_the_node(page)
+    page.get_by_role('navigation', name='This lesson').get_by_role('link', name='Previous').scroll_into_view_if_needed()
     scene = page.locator('.motion-scene')
     expect(scene).to_have_attribute('tabindex', '0')
     scene.evaluate('each => { each.scrollLeft = 100 }')

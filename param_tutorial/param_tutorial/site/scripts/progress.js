@@ -155,7 +155,7 @@ function show() {
     link.append(mark);
   }
   const of = document.querySelectorAll(QUESTIONS).length;
-  // The theme shows it in the bar, and on a phone in the menu.
+  // It is in the bar, and above the lesson, where a phone shows it.
   for (const line of all(document, '.lesson-here')) {
     line.hidden = !of;
     line.textContent = `${Object.keys(lessons[here]?.answers ?? {}).length} of ${of} answered`;

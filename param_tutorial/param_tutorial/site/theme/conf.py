@@ -47,7 +47,7 @@ html_theme_options = {
     'navbar_center': [],
     'navbar_persistent': ['search-button-field'],
     'navbar_end': ['lesson-tools.html', 'theme-switcher'],
-    'article_header_start': [],
+    'article_header_start': ['lesson-tools.html'],
     'secondary_sidebar_items': [],
     'footer_start': ['about.html'],
     'footer_end': [],
