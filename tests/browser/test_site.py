@@ -72,7 +72,7 @@ heater = ros.add(Heater)''',
     "print('-20, -15, 0, 50 and 52')",
     'Five of the eight. What a hand does later does not show above:',
     "panel['low_c'].value = 19\npanel.settle()\npanel['low_c'].value",
-    '## Next\n\nA table, and a link to [the other one](2_robot.ipynb).\n\n| a | b |\n| --- | --- |\n| 1 | 2 |',
+    '## Next, a robot\n\nA table, and a link to [the other one](2_robot.ipynb).\n\n| a | b |\n| --- | --- |\n| 1 | 2 |',
     "print('the end')\n1 / 0",
 )
 ROBOT = (
@@ -620,7 +620,7 @@ def test_the_list_of_lessons_is_at_this_lesson_and_marks_the_section_in_sight(pa
     expect(lessons.locator('[aria-current=location]')).to_have_count(0)
     page.get_by_role('heading', name='Next').scroll_into_view_if_needed()
     page.mouse.wheel(0, 9999)
-    expect(lessons.locator('[aria-current=location]')).to_have_text('Next')
+    expect(lessons.locator('[aria-current=location]')).to_have_text('Next, a robot')
     expect(lessons.get_by_role('link', name='Next')).to_be_in_viewport()
 
 
@@ -634,6 +634,8 @@ def test_the_search_finds_words_but_no_answers(made, browser, way):
             page.keyboard.press('Enter')
             page.locator('#search-results').get_by_role('link', name='1 · Limits').click()
             expect(page.get_by_role('heading', name='1 · Limits')).to_be_visible()
+            page.goto(f'{address}/search.html?q=the+robots')  # both pages have it in a heading
+            expect(page.locator('#search-results').get_by_role('link').first).to_have_text('2 · A robot')
     index = (made.target / 'searchindex.js').read_text()
     for word, is_there in {'tabl': True, 'settl': True, 'nearest': False, '52': False, 'solut': False}.items():
         assert (f'"{word}":' in index) is is_there, word

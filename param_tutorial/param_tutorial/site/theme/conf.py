@@ -35,6 +35,7 @@ html_css_files = [*(Path(path).name for path in SHEETS), 'lesson.css']
 html_js_files = ['lessons.js']
 # A page on a disk may not fetch the pages that are found, nor may those on the web.
 html_show_search_summary = False
+html_search_scorer = str(Path(__file__).with_name('search.js'))
 html_sidebars = {'**': ['lessons.html']}
 html_copy_source = False
 html_show_sourcelink = False
