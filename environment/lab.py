@@ -17,8 +17,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from param_tools.errors import ParameterToolError
 from param_tools.ros.environment import drop_missing_middleware
-from param_tutorial.learner.copies import LESSONS, Copies, CopiesError
+from param_tutorial.learner.copies import LESSONS, Copies
 from param_tutorial.learner.progress import VARIABLE
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -45,7 +46,7 @@ def prepare() -> list[str]:
     try:
         for sentence in copies.deliver():
             print(sentence, flush=True)
-    except CopiesError as error:
+    except ParameterToolError as error:
         sys.exit(str(error))
     # Terminals open where the server runs, and `make -C ..` is then right in each of them.
     os.chdir(copies.folder)

@@ -9,8 +9,9 @@ import nbformat
 import pytest
 from nbformat.sign import NotebookNotary
 
+from param_tools.errors import ParameterToolError
 from param_tutorial.learner.__main__ import main
-from param_tutorial.learner.copies import Copies, CopiesError
+from param_tutorial.learner.copies import Copies
 from tests.support.paths import ROOT
 
 FIRST, SECOND, SOLUTION = '01_first.ipynb', '05_1_second.ipynb', 'solutions/01_first.ipynb'
@@ -167,7 +168,7 @@ def test_what_the_system_rejects_is_one_sentence_and_changes_no_copy(copies, mon
         real(file)
 
     monkeypatch.setattr(os, 'fsync', reject)
-    with pytest.raises(CopiesError, match=r'nothing of yours was lost\. The reason: No space left on device: the file'):
+    with pytest.raises(ParameterToolError, match=r'yours was lost\. The reason: No space left on device: the file'):
         copies.reset('1')
     assert {name: content for name, content in files(copies.folder).items() if 'backups/' not in name} == before
     assert backups(copies) == [mine] * written

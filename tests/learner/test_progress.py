@@ -5,8 +5,9 @@ from pathlib import Path
 
 import pytest
 
+from param_tools.errors import ParameterToolError
 from param_tutorial.learner import storage
-from param_tutorial.learner.progress import VARIABLE, ProgressError, ProgressFile, own_progress, parse
+from param_tutorial.learner.progress import VARIABLE, ProgressFile, own_progress, parse
 
 EACH = 20
 
@@ -67,7 +68,7 @@ def test_two_kernels_at_once_lose_nothing(file):
 def test_a_damaged_file_is_set_aside_and_named(file, content):
     file.path.parent.mkdir()
     file.path.write_bytes(content)
-    with pytest.raises(ProgressError):
+    with pytest.raises(ParameterToolError):
         parse(content)
     progress, note = file.read()
     assert progress.solved == {} and file.path.name in note

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 from IPython.core.error import UsageError
 
+from param_tools.errors import ParameterToolError
 from param_tutorial import Shell
 from param_tutorial.learner.package_files import NAME, ours
-from param_tutorial.notebook.shell import ShellError
 from tests.support.commands import run
 
 
@@ -39,11 +39,11 @@ def test_status_order_and_mistakes(shell):
 
 def test_a_command_that_ends_the_shell_or_takes_too_long(shell):
     second = Shell(beside=shell)
-    with pytest.raises(ShellError, match="'echo last; exit' ended the shell; what came:\nlast"):
+    with pytest.raises(ParameterToolError, match="'echo last; exit' ended the shell; what came:\nlast"):
         second.run('echo last; exit')
-    with pytest.raises(ShellError, match='closed'):
+    with pytest.raises(ParameterToolError, match='closed'):
         second.run('ls')
-    with pytest.raises(ShellError, match=r"'sleep 60' was not done within 0.1 s; what came:\n\(nothing\)"):
+    with pytest.raises(ParameterToolError, match=r"'sleep 60' was not done within 0.1 s; what came:\n\(nothing\)"):
         shell.run('sleep 60', timeout_sec=0.1)
     assert not shell.home.exists()
 

@@ -5,7 +5,7 @@ import pytest
 from param_tutorial import exercises
 from param_tutorial.exercises import CHAPTERS, EXERCISES, PREDICTIONS, RECALLS
 from param_tutorial.learner.progress import VARIABLE, ProgressFile
-from param_tutorial.teacher import command
+from param_tutorial.teacher.__main__ import main
 from tests.support.answers import blank, solution
 
 RIGHT, WRONG = (next(each.text for each in PREDICTIONS['1-1'].choices if each.is_right is is_right)
@@ -16,7 +16,7 @@ RIGHT, WRONG = (next(each.text for each in PREDICTIONS['1-1'].choices if each.is
 def told(tmp_path, capsys):
     """Return a function that returns what the command prints about the class in the test's folder."""
     def run():
-        assert command.main([str(tmp_path)]) == 0
+        assert main([str(tmp_path)]) == 0
         return capsys.readouterr()
     return run
 
@@ -49,7 +49,7 @@ def test_one_row_for_each_student_and_bad_files_are_named(tmp_path, told):
 
 
 def test_a_folder_without_files(tmp_path, capsys):
-    assert command.main([str(tmp_path)]) == 1
+    assert main([str(tmp_path)]) == 1
     assert 'There is no progress file' in capsys.readouterr().err
 
 

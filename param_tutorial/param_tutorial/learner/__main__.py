@@ -4,7 +4,8 @@ import argparse
 import sys
 from pathlib import Path
 
-from param_tutorial.learner.copies import Copies, CopiesError
+from param_tools.errors import ParameterToolError
+from param_tutorial.learner.copies import Copies
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -23,7 +24,7 @@ def main(arguments: list[str] | None = None) -> int:
     copies = Copies.of_learner(options.course.resolve())
     try:
         print(copies.reset(options.chapter))
-    except CopiesError as error:
+    except ParameterToolError as error:
         print(error, file=sys.stderr)
         return 1
     return 0

@@ -31,10 +31,6 @@ DELIVERED = '.delivered'
 TRUST = '.trust'
 
 
-class CopiesError(ParameterToolError):
-    """The learner's copies of the chapters cannot be read or written; the message is for the learner."""
-
-
 class Copies:
     """The copies of one checkout's chapters."""
 
@@ -56,7 +52,7 @@ class Copies:
         """Put a copy of each chapter where there is none, and replace those that the learner has not changed.
 
         :return: What the learner should know, a sentence or two for each copy.
-        :raises CopiesError: the folder can't be written; each copy is then as before or up to date.
+        :raises ParameterToolError: the folder can't be written; each copy is then as before or up to date.
         """
         first = not (self.folder / DELIVERED).exists()
         with self._made_folder():
@@ -82,7 +78,7 @@ class Copies:
 
         :param chapter: Its number, such as 06 or 5.2, or its name.
         :return: What the learner should know.
-        :raises CopiesError: there is no such chapter, or the folder can't be written.
+        :raises ParameterToolError: there is no such chapter, or the folder can't be written.
         """
         name = self._find(chapter)
         copy, fresh = self.folder / name, _fresh(self.chapters / name)
@@ -108,7 +104,7 @@ class Copies:
         names = {number_of(path.stem): path.name for path in sorted(self.chapters.glob('[0-9]*.ipynb'))}
         wanted = number_of(chapter.strip().removesuffix('.ipynb'))
         if wanted not in names:
-            raise CopiesError(f'There is no chapter {chapter!r}{nearest(wanted, list(names), "There are none")}')
+            raise ParameterToolError(f'There is no chapter {chapter!r}{nearest(wanted, list(names), "There are none")}')
         return Path(names[wanted])
 
     def _bring(self, name: Path) -> str | None:
@@ -167,8 +163,9 @@ class Copies:
             self.trust.mkdir(mode=0o700, exist_ok=True)
             yield
         except OSError as error:
-            raise CopiesError(f'Your copies of the chapters in {self.folder} could not be brought up to date; nothing '
-                              f'of yours was lost. The reason: {error.strerror}: {error.filename}.') from error
+            raise ParameterToolError(
+                f'Your copies of the chapters in {self.folder} could not be brought up to date; nothing of yours was '
+                f'lost. The reason: {error.strerror}: {error.filename}.') from error
 
 
 def _fresh(path: Path) -> bytes:

@@ -23,10 +23,6 @@ passed: set[str] = set()
 """The steps that the reader's package has passed in this process, whether or not that is remembered."""
 
 
-class PackageError(ParameterToolError):
-    """The reader's package cannot be read or written, or there is no such step; the message is for the reader."""
-
-
 @cache
 def steps() -> tuple[str, ...]:
     """Return the numbers of all steps, in the order of the course."""
@@ -42,11 +38,11 @@ def last_step_before(chapter: str) -> str:
     """Return the last step of the chapters before one.
 
     :param chapter: Its number, such as '4' or '5.2'.
-    :raises PackageError: there is none.
+    :raises ParameterToolError: there is none.
     """
     earlier = [each for each in steps() if _place(each) < _place(chapter)]
     if not earlier:
-        raise PackageError(f'The package begins in chapter 2, so chapter {chapter!r} has nothing to begin with.')
+        raise ParameterToolError(f'The package begins in chapter 2, so chapter {chapter!r} has nothing to begin with.')
     return earlier[-1]
 
 
@@ -54,10 +50,10 @@ def last_step_before(chapter: str) -> str:
 def ours(step: str) -> dict[str, str]:
     """Return our package as it stands after a step: the text of each file by its path in the package.
 
-    :raises PackageError: there is no such step.
+    :raises ParameterToolError: there is no such step.
     """
     if step not in steps():
-        raise PackageError(f'There is no step {step!r}{nearest(step, steps(), "There are none")}')
+        raise ParameterToolError(f'There is no step {step!r}{nearest(step, steps(), "There are none")}')
     return {name: (STEPS / each / name).read_text(encoding='utf-8')
             for each in steps()[:steps().index(step) + 1] for name in changed_in(each)}
 
@@ -72,7 +68,7 @@ def changed_in(step: str) -> list[str]:
 def our_copy(step: str) -> Path:
     """Return a folder with our package as it stands after a step; it is there as long as this process.
 
-    :raises PackageError: there is no such step.
+    :raises ParameterToolError: there is no such step.
     """
     files = PackageFiles(_temporary_folder() / f'step_{step}')
     files.lay_out(step)
@@ -126,14 +122,14 @@ class PackageFiles:
     def text(self, name: str) -> str:
         """Return the text of a file; it is empty if there is none.
 
-        :raises PackageError: it is no text.
+        :raises ParameterToolError: it is no text.
         """
         try:
             return self.path(name).read_text(encoding='utf-8')
         except FileNotFoundError:
             return ''
         except (OSError, UnicodeDecodeError) as error:
-            raise PackageError(f'{name} cannot be read: {error}') from None
+            raise ParameterToolError(f'{name} cannot be read: {error}') from None
 
     def lay_out(self, step: str) -> None:
         """Write those files of ours that the reader does not have."""
@@ -145,7 +141,7 @@ class PackageFiles:
         """Write a file of the reader's.
 
         :param base: The text that the reader has changed. If another is there now, that is kept as a backup.
-        :raises PackageError: it cannot be written; what was there is there still.
+        :raises ParameterToolError: it cannot be written; what was there is there still.
         """
         if self.text(name) != base:
             self.back_up(name, text)
@@ -155,7 +151,7 @@ class PackageFiles:
         """Put ours in the place of the reader's files, as it stands after a step.
 
         :return: Where theirs are kept; None if none differed.
-        :raises PackageError: there is no such step, or a file cannot be written.
+        :raises ParameterToolError: there is no such step, or a file cannot be written.
         """
         stamp, kept = time_stamp(), None
         for name, text in ours(step).items():
@@ -182,5 +178,5 @@ def _write_text(path: Path, text: str) -> None:
     try:
         write_whole(path, text.encode())
     except OSError as error:
-        raise PackageError(f'{path} cannot be written: {error.strerror}') from None
+        raise ParameterToolError(f'{path} cannot be written: {error.strerror}') from None
 

@@ -21,10 +21,6 @@ FILE = 'progress.json'
 _VERSION = 1
 
 
-class ProgressError(ParameterToolError):
-    """A file of a learner's progress is damaged, or is none."""
-
-
 @dataclass(frozen=True)
 class Committed:
     """A prediction that a learner has committed to."""
@@ -62,18 +58,18 @@ class Progress:
 def parse(content: bytes) -> Progress:
     """Return what a file holds.
 
-    :raises ProgressError: it is damaged, or no file of progress at all.
+    :raises ParameterToolError: it is damaged, or no file of progress at all.
     """
     try:
         data = json.loads(content)
         if data['version'] != _VERSION:
-            raise ProgressError(f'it is of version {data["version"]!r}, and this course knows version {_VERSION}')
+            raise ParameterToolError(f'it is of version {data["version"]!r}, and this course knows version {_VERSION}')
         # A file from before failed checks were kept has no 'tried'.
         progress = Progress(dict(data['solved']),
                             {number: Tried(**each) for number, each in data.get('tried', {}).items()},
                             {number: Committed(**each) for number, each in data['predicted'].items()})
     except (ValueError, TypeError, KeyError, AttributeError) as error:
-        raise ProgressError(f'it holds no progress ({type(error).__name__})') from None
+        raise ParameterToolError(f'it holds no progress ({type(error).__name__})') from None
     return progress
 
 
@@ -89,7 +85,7 @@ class ProgressFile:
             return parse(self.path.read_bytes()), ''
         except FileNotFoundError:
             return Progress(), ''
-        except (OSError, ProgressError) as error:
+        except (OSError, ParameterToolError) as error:
             return Progress(), f"{self.path.name} can't be read: {error}."
 
     def add_solved(self, number: str) -> str:
@@ -125,7 +121,7 @@ class ProgressFile:
                 if self.path.exists():
                     try:
                         progress = parse(self.path.read_bytes())
-                    except ProgressError as error:
+                    except ParameterToolError as error:
                         name = f'{self.path.stem}-damaged-{time_stamp()}{self.path.suffix}'
                         kept = self.path.rename(self.path.with_name(name))
                         said = f'Your {self.path.name} could not be read: {error}. It is kept as {kept.name}.'

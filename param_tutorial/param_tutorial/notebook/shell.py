@@ -36,10 +36,6 @@ _SECONDS = r'-?(?:\d+min )?\d+(?:\.\d+)?s'
 _TIME_TAKEN = re.compile(rf'^\[{_SECONDS}\] | \[{_SECONDS}\]$|(?<=\[){_SECONDS}, ', re.MULTILINE)
 
 
-class ShellError(ParameterToolError):
-    """A shell is closed, or what was typed into it ended it or did not end in time."""
-
-
 class Shell:
     """A real bash, in a home folder that is not the user's.
 
@@ -113,8 +109,8 @@ class Shell:
     def run(self, commands: str, timeout_sec: float = 120.0) -> str:
         """Type one or more lines, wait until they have been done, and return what was printed.
 
-        :raises ShellError: the shell is closed, or they were not done in time, or ended it; the message shows what
-            came.
+        :raises ParameterToolError: the shell is closed, or they were not done in time, or ended it; the message shows
+            what came.
         """
         output, self.status = self._type(commands, timeout_sec)
         return self._stable(output)
@@ -122,7 +118,7 @@ class Shell:
     async def run_awaited(self, commands: str) -> str:
         """Do what ``run`` says, and let the event loop of this thread go on meanwhile.
 
-        :raises ShellError: as ``run``.
+        :raises ParameterToolError: as ``run``.
         """
         # A signal comes to the main thread only, and there it would cancel the cell.
         with handed_to(self._bash.pid):
@@ -136,13 +132,13 @@ class Shell:
     @property
     def _bash(self) -> subprocess.Popen[bytes]:
         if self._process is None:
-            raise ShellError(NO_SHELL)
+            raise ParameterToolError(NO_SHELL)
         return self._process
 
     def _type(self, commands: str, timeout_sec: float = 120.0) -> tuple[str, int]:
         """Do what ``run`` says, and return what was printed, unchanged, and the exit status."""
         if self._bash.poll() is not None:
-            raise ShellError('this shell is closed: start a new one with Shell()')
+            raise ParameterToolError('this shell is closed: start a new one with Shell()')
         mark = secrets.token_hex(8)
         # One `eval`, so that a quote that is never closed is an error here and does not swallow what is typed later;
         # without a standard input, so that no command waits for one.
@@ -163,7 +159,7 @@ class Shell:
                     why = 'ended the shell' if ready else f'was not done within {timeout_sec:g} s'
                     what_came = self._stable(output.decode(errors='replace')) or '(nothing)'
                     self.close()
-                    raise ShellError(f'{commands.strip()!r} {why}; what came:\n{what_came}')
+                    raise ParameterToolError(f'{commands.strip()!r} {why}; what came:\n{what_came}')
                 output += chunk
         return output[:found.start()].decode(errors='replace'), int(found[1])
 

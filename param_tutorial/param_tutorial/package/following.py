@@ -65,7 +65,7 @@ class FollowedPackage:
         :param chapter: Its number, such as '3' or '5.2'. The package has at least what the chapters before ask for:
             files that are missing are ours. Chapter 2 makes the package, and no node is in it yet.
         :param names: The files whose nodes the stage runs; by default that of the driver.
-        :raises PackageError: a file cannot be written, or there is no such chapter.
+        :raises ParameterToolError: a file cannot be written, or there is no such chapter.
         :raises ExecutorError: the stage has not been started.
         """
         global _open
@@ -120,7 +120,7 @@ class FollowedPackage:
 
         After ``stop`` it still runs none. The reader's files stay as they are, and run as soon as they are saved.
 
-        :raises PackageError: there is no such step.
+        :raises ParameterToolError: there is no such step.
         """
         copy = our_copy(step)
         with self._lock:
@@ -178,7 +178,7 @@ class FollowedPackage:
         """Put ours in the place of the reader's files, which are kept in ``ros2_ws/backups/``, and run it.
 
         :param step: As it stands after this one; by default after the one that the chapter has come to.
-        :raises PackageError: there is no such step, or a file cannot be written.
+        :raises ParameterToolError: there is no such step, or a file cannot be written.
         """
         kept = self.files.take(step or self._step)
         self.refresh()
@@ -189,7 +189,7 @@ class FollowedPackage:
         """Write one of the files, and run it.
 
         :param base: The text that was changed, if that may no longer be what is there; see ``PackageFiles.write``.
-        :raises PackageError: it cannot be written; what was there is there still.
+        :raises ParameterToolError: it cannot be written; what was there is there still.
         """
         self.files.write(name, text, self.files.text(name) if base is None else base)
         self.refresh(name)
@@ -197,7 +197,7 @@ class FollowedPackage:
     def changes(self, since: str, name: str = 'driver_node.py') -> None:
         """Print how a file differs from ours as it was after a step, as ``diff`` does.
 
-        :raises PackageError: there is no such step.
+        :raises ParameterToolError: there is no such step.
         """
         place = self.files.place(name)
         before = ours(since).get(place, '').splitlines()

@@ -1,6 +1,5 @@
 """The chapters as a website with a node in each page: ``python -m param_tutorial.site``, or ``make html``.
 
-    command      the command line
     build        what happens, in which order; the site is replaced as a whole or not at all
     single       one chapter of the site as one file
     archive      which state of the course the site is made of, and the course as an archive

@@ -2,7 +2,7 @@
 
     classroom         the progress files of a class, and the table of students and chapters
     misconceptions    which wrong answers a class has given, and which requirements it misses
-    command           ``python -m param_tutorial.teacher``: prints both
+    __main__          ``python -m param_tutorial.teacher``: prints both
 
 Everything is read from the questions and exercises, and from the files of the class. Nothing is sent anywhere.
 """

@@ -3,9 +3,10 @@
 from pathlib import Path
 from typing import NamedTuple
 
+from param_tools.errors import ParameterToolError
 from param_tutorial.exercises import CHAPTERS, EXERCISES, PREDICTIONS, RECALLS
 from param_tutorial.learner.copies import COPIES
-from param_tutorial.learner.progress import FILE, Progress, ProgressError, parse
+from param_tutorial.learner.progress import FILE, Progress, parse
 
 
 class Student(NamedTuple):
@@ -29,7 +30,7 @@ def read_class(folder: Path) -> tuple[list[Student], list[str]]:
             continue
         try:
             students.append(Student(_name_of(path, folder), parse(path.read_bytes())))
-        except ProgressError as error:
+        except ParameterToolError as error:
             bad.append(f'Left out {path}: {error}.')
         except OSError as error:
             bad.append(f'Left out {path}: {error.strerror}.')
