@@ -6,7 +6,7 @@ rcl_interfaces/msg/ParameterValue, and which Python values fit. Everything else 
 
 import array
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -30,19 +30,25 @@ class ParameterType:
     """What the ``ros2`` command calls it, e.g. 'integer array'."""
     field: str | None
     """The field of a ParameterValue message that holds the value; None for NOT_SET."""
-    item: Callable[[Any], bool] = lambda _: False
-    """True if this Python value fits as the value, or as one element of an array."""
+    item: type | None = None
+    """The Python type of the value, or of one element of an array."""
 
     @cached_property
     def is_array(self) -> bool:
         """True if it holds a list of values."""
         return self.name.endswith('_ARRAY')
 
+    def fits(self, value: Any) -> bool:
+        """True if this Python value fits as the value, or as one element of an array."""
+        if self.item is None or isinstance(value, bool):  # to Python, True is an integer
+            return self.item is bool
+        return isinstance(value, self.item) and (not isinstance(value, bytes) or len(value) == 1)
+
     def accepts(self, value: Any) -> bool:
         """True if this Python value can be stored without any conversion."""
         if self.is_array:
-            return isinstance(value, (list, tuple, array.array)) and all(map(self.item, value))
-        return value is None if self.field is None else self.item(value)
+            return isinstance(value, (list, tuple, array.array)) and all(map(self.fits, value))
+        return value is None if self.field is None else self.fits(value)
 
     def __hash__(self) -> int:
         return self.number  # that of all the fields takes longer than what is looked up with it
@@ -51,37 +57,17 @@ class ParameterType:
         return f'<{self.label}>'
 
 
-def _is_bool(value: Any) -> bool:
-    return isinstance(value, bool)
-
-
-def _is_int(value: Any) -> bool:
-    return isinstance(value, int) and not isinstance(value, bool)
-
-
-def _is_float(value: Any) -> bool:
-    return isinstance(value, float)
-
-
-def _is_str(value: Any) -> bool:
-    return isinstance(value, str)
-
-
-def _is_byte(value: Any) -> bool:
-    return isinstance(value, bytes) and len(value) == 1
-
-
 TYPES = (
     ParameterType(0, 'NOT_SET', 'not set', None),
-    ParameterType(1, 'BOOL', 'boolean', 'bool_value', _is_bool),
-    ParameterType(2, 'INTEGER', 'integer', 'integer_value', _is_int),
-    ParameterType(3, 'DOUBLE', 'double', 'double_value', _is_float),
-    ParameterType(4, 'STRING', 'string', 'string_value', _is_str),
-    ParameterType(5, 'BYTE_ARRAY', 'byte array', 'byte_array_value', _is_byte),
-    ParameterType(6, 'BOOL_ARRAY', 'boolean array', 'bool_array_value', _is_bool),
-    ParameterType(7, 'INTEGER_ARRAY', 'integer array', 'integer_array_value', _is_int),
-    ParameterType(8, 'DOUBLE_ARRAY', 'double array', 'double_array_value', _is_float),
-    ParameterType(9, 'STRING_ARRAY', 'string array', 'string_array_value', _is_str),
+    ParameterType(1, 'BOOL', 'boolean', 'bool_value', bool),
+    ParameterType(2, 'INTEGER', 'integer', 'integer_value', int),
+    ParameterType(3, 'DOUBLE', 'double', 'double_value', float),
+    ParameterType(4, 'STRING', 'string', 'string_value', str),
+    ParameterType(5, 'BYTE_ARRAY', 'byte array', 'byte_array_value', bytes),
+    ParameterType(6, 'BOOL_ARRAY', 'boolean array', 'bool_array_value', bool),
+    ParameterType(7, 'INTEGER_ARRAY', 'integer array', 'integer_array_value', int),
+    ParameterType(8, 'DOUBLE_ARRAY', 'double array', 'double_array_value', float),
+    ParameterType(9, 'STRING_ARRAY', 'string array', 'string_array_value', str),
 )
 NOT_SET, BOOL, INTEGER, DOUBLE, STRING, BYTE_ARRAY, BOOL_ARRAY, INTEGER_ARRAY, DOUBLE_ARRAY, STRING_ARRAY = TYPES
 # The order in which an untyped value is tried; rclpy's Parameter.Type.from_parameter_value has the same.
@@ -220,12 +206,12 @@ def parse(text: str) -> Any:
     # ValueError: YAML takes 2024-13-01 for a date and then finds that it is none.
     except (yaml.YAMLError, ValueError):
         return text
-    if isinstance(value, list) and any(map(_is_int, value)) and all(isinstance(item, int) for item in value):
+    if isinstance(value, list) and any(map(INTEGER.fits, value)) and all(isinstance(item, int) for item in value):
         value = list(map(int, value))  # [true, 1]: rclpy sees two integers, because to Python True is one
     try:
         return text if value is None or (type_of(value) is BYTE_ARRAY and value) else value
     except InvalidValueError:
-        if _is_int(value):
+        if INTEGER.fits(value):
             raise
         return text
 

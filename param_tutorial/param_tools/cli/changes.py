@@ -20,16 +20,15 @@ _NO_CHANGES = 'begin', 'seen'
 
 
 def add_to(commands: Commands) -> None:
-    _add_watch_arguments(commands.add_parser('watch', help='print every change of parameters, and keep a log of them'))
-    _add_history_arguments(commands.add_parser('history', help='print the changes that a log holds'))
-
-
-def _add_watch_arguments(parser: argparse.ArgumentParser) -> None:
+    parser = commands.add_parser('watch', help='print every change of parameters, and keep a log of them')
     add_graph_options(parser)
     parser.add_argument('nodes', nargs='*', metavar='NODE', help='name of a node (default: all nodes)')
     parser.add_argument('--log', metavar='FILE', help='append every change to this file, one JSON object in each line')
     parser.add_argument('--duration', type=float, metavar='N', help='end after N seconds (default: with Ctrl+C)')
     parser.set_defaults(verb=watch)
+    parser = commands.add_parser('history', help='print the changes that a log holds')
+    parser.add_argument('log', metavar='FILE', help='a log that `watch --log` has written')
+    parser.set_defaults(verb=history)
 
 
 def watch(session: Session, args: argparse.Namespace) -> Steps:
@@ -76,11 +75,6 @@ def _print(session: Session, what: list[LoggedChange] | ParameterToolError, writ
         if each.kind not in _NO_CHANGES:
             session.print(each)
     session.stdout.flush()
-
-
-def _add_history_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument('log', metavar='FILE', help='a log that `watch --log` has written')
-    parser.set_defaults(verb=history)
 
 
 def history(session: Session, args: argparse.Namespace) -> None:

@@ -18,11 +18,7 @@ _FORMATS = {'text': Findings.text, 'github': Findings.as_github}
 
 
 def add_to(commands: Commands) -> None:
-    _add_check_arguments(commands.add_parser('check', help='find the mistakes in parameter files'))
-    _add_describe_arguments(commands.add_parser('describe', help='save what nodes declare, for checks without them'))
-
-
-def _add_check_arguments(parser: argparse.ArgumentParser) -> None:
+    parser = commands.add_parser('check', help='find the mistakes in parameter files')
     add_graph_options(parser)
     parser.add_argument('files', nargs='*', metavar='FILE',
                         help='parameter files, in the order in which the nodes get them')
@@ -38,6 +34,11 @@ def _add_check_arguments(parser: argparse.ArgumentParser) -> None:
                              'declare_parameter in the text of its Python or C++ names, and which are in no file')
     parser.add_argument('--format', choices=_FORMATS, default='text', help='default: text')
     parser.set_defaults(verb=check, error=parser.error)
+    parser = commands.add_parser('describe', help='save what nodes declare, for checks without them')
+    add_graph_options(parser)
+    parser.add_argument('sources', nargs='+', metavar='SOURCE', help=system_arguments.HELP)
+    parser.add_argument('--save', metavar='FILE', help='where to write it; by default to standard output')
+    parser.set_defaults(verb=describe)
 
 
 def check(session: Session, args: argparse.Namespace) -> int:
@@ -89,13 +90,6 @@ def _check_launch(session: Session, args: argparse.Namespace, against: Descripti
         if args.format == 'text':
             session.print('\n'.join(launch.lines()) or 'The launch file starts no node.')
         return launch.check(against)
-
-
-def _add_describe_arguments(parser: argparse.ArgumentParser) -> None:
-    add_graph_options(parser)
-    parser.add_argument('sources', nargs='+', metavar='SOURCE', help=system_arguments.HELP)
-    parser.add_argument('--save', metavar='FILE', help='where to write it; by default to standard output')
-    parser.set_defaults(verb=describe)
 
 
 def describe(session: Session, args: argparse.Namespace) -> int:

@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import yaml
-from rcl_interfaces.msg import Parameter, ParameterDescriptor, ParameterValue
+from rcl_interfaces.msg import Parameter, ParameterDescriptor
 from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters, SetParameters
 from rclpy.parameter import Parameter as NodeParameter
 from rclpy.parameter import parameter_dict_from_yaml_file
@@ -142,11 +142,7 @@ def get_parameter(session: Session, args: argparse.Namespace) -> None:
     answer = session.call(node, 'get_parameters', GetParameters.Request(names=[args.parameter_name])).values
     if not answer:
         raise CommandFailed('Parameter not set')
-    _print_value(session, answer[0], args)
-
-
-def _print_value(session: Session, message: ParameterValue, args: argparse.Namespace) -> None:
-    parameter_type, value = values.TYPES[message.type], values.to_python(message)
+    parameter_type, value = values.TYPES[answer[0].type], values.to_python(answer[0])
     if args.hide_type:
         session.print(value)
     elif parameter_type is values.NOT_SET:

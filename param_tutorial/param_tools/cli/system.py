@@ -19,20 +19,29 @@ from param_tools.systems.snapshot import FIRST_WORDS, Snapshot, all_parameters
 
 
 def add_to(commands: Commands) -> None:
-    _add_snapshot_arguments(commands.add_parser('snapshot', help='save the parameters of many nodes'))
-    _add_diff_arguments(commands.add_parser('diff', help='compare nodes, files and snapshots'))
-    _add_restore_arguments(commands.add_parser('restore', help='bring saved parameters back'))
-
-
-# -- snapshot -----------------------------------------------------------------------------------------------
-
-
-def _add_snapshot_arguments(parser: argparse.ArgumentParser) -> None:
+    parser = commands.add_parser('snapshot', help='save the parameters of many nodes')
     add_graph_options(parser)
     parser.add_argument('nodes', nargs='*', metavar='NODE', default=[system_arguments.ALL_NODES],
                         help='name of a node (default: all nodes)')
     parser.add_argument('--save', metavar='FILE', help='where to write it; by default to standard output')
     parser.set_defaults(verb=snapshot)
+    parser = commands.add_parser('diff', help='compare nodes, files and snapshots')
+    add_graph_options(parser)
+    parser.add_argument('before', metavar='BEFORE', help=f'{system_arguments.HELP}: a snapshot, another parameter '
+                                                         f'file, or a log and a time: changes.jsonl@14:05')
+    parser.add_argument('after', metavar='AFTER', help='likewise')
+    parser.set_defaults(verb=diff)
+    parser = commands.add_parser('restore', help='bring saved parameters back')
+    add_graph_options(parser)
+    parser.add_argument('file', metavar='FILE',
+                        help='a snapshot, another parameter file, or a log and a time: changes.jsonl@14:05')
+    parser.add_argument('nodes', nargs='*', metavar='NODE',
+                        help='only these nodes (default: those that the file names)')
+    parser.add_argument('--dry-run', action='store_true', help='only say what would be set')
+    parser.set_defaults(verb=restore)
+
+
+# -- snapshot -----------------------------------------------------------------------------------------------
 
 
 def snapshot(session: Session, args: argparse.Namespace) -> int:
@@ -54,14 +63,6 @@ def take(session: Session, words: list[str], args: argparse.Namespace) -> Snapsh
 # -- diff ---------------------------------------------------------------------------------------------------
 
 
-def _add_diff_arguments(parser: argparse.ArgumentParser) -> None:
-    add_graph_options(parser)
-    parser.add_argument('before', metavar='BEFORE', help=f'{system_arguments.HELP}: a snapshot, another parameter '
-                                                         f'file, or a log and a time: changes.jsonl@14:05')
-    parser.add_argument('after', metavar='AFTER', help='likewise')
-    parser.set_defaults(verb=diff)
-
-
 @dataclass
 class _Side:
     """One of two systems."""
@@ -81,7 +82,10 @@ def diff(session: Session, args: argparse.Namespace) -> int:
         before, after = _sides(session, args)
         for snapshot_side, other in ((before, after), (after, before)):
             if snapshot_side.is_snapshot:
-                other.nodes = {node: _expressible(parameters) for node, parameters in other.nodes.items()}
+                # That it lacks what no snapshot can hold is no difference.
+                other.nodes = {node: {name: value for name, value in parameters.items()
+                                      if not parameter_files.why_not_expressible(name, value)}
+                               for node, parameters in other.nodes.items()}
         if len(before.nodes) == len(after.nodes) == 1:
             # One node with another, whatever they are called.
             before.nodes = dict(zip(after.nodes, before.nodes.values()))
@@ -92,12 +96,6 @@ def diff(session: Session, args: argparse.Namespace) -> int:
         return 2
     session.print(found)
     return 2 if before.lacking or after.lacking else 1 if found else 0
-
-
-def _expressible(parameters: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the parameters that a snapshot can hold: that it lacks the others is no difference."""
-    return {name: value for name, value in parameters.items()
-            if not parameter_files.why_not_expressible(name, value)}
 
 
 def _sides(session: Session, args: argparse.Namespace) -> tuple[_Side, _Side]:
@@ -126,16 +124,6 @@ def _in_file(path: str, names: Iterable[str] = ()) -> _Side:
 
 
 # -- restore ------------------------------------------------------------------------------------------------
-
-
-def _add_restore_arguments(parser: argparse.ArgumentParser) -> None:
-    add_graph_options(parser)
-    parser.add_argument('file', metavar='FILE',
-                        help='a snapshot, another parameter file, or a log and a time: changes.jsonl@14:05')
-    parser.add_argument('nodes', nargs='*', metavar='NODE',
-                        help='only these nodes (default: those that the file names)')
-    parser.add_argument('--dry-run', action='store_true', help='only say what would be set')
-    parser.set_defaults(verb=restore)
 
 
 def restore(session: Session, args: argparse.Namespace) -> int:

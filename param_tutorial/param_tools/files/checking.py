@@ -482,4 +482,4 @@ def _converted(text: str, wanted: ParameterType) -> Any:
         return float(value)
     if type(value) is float and value.is_integer() and wanted in (values.INTEGER, values.INTEGER_ARRAY):
         return int(value)
-    return value if wanted.item(value) else None
+    return value if wanted.fits(value) else None

@@ -11,15 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
 
+from rcl_interfaces import srv
 from rcl_interfaces.msg import Parameter, ParameterDescriptor, ParameterEvent
-from rcl_interfaces.srv import (
-    DescribeParameters,
-    GetParameters,
-    GetParameterTypes,
-    ListParameters,
-    SetParameters,
-    SetParametersAtomically,
-)
 from rclpy.node import Node
 
 from param_tools import values
@@ -146,20 +139,20 @@ class Questions:
 
     async def list_parameters(self, prefixes: Iterable[str] = (), *, depth: int = 0) -> list[str]:
         """Return the names of the node's parameters; see ParameterClient for this and the others."""
-        request = ListParameters.Request(prefixes=_listed(prefixes, 'prefixes'), depth=depth)
+        request = srv.ListParameters.Request(prefixes=_listed(prefixes, 'prefixes'), depth=depth)
         return list((await self._ask('list_parameters', request)).result.names)
 
     async def get_parameters(self, names: Iterable[str] | None = None) -> ParameterValues:
         """Return the values of several parameters, or of all."""
         wanted = await self.list_parameters() if names is None else _listed(names)
-        answer = (await self._ask('get_parameters', GetParameters.Request(names=wanted))).values
+        answer = (await self._ask('get_parameters', srv.GetParameters.Request(names=wanted))).values
         if len(answer) == len(wanted):
             return ParameterValues(zip(wanted, map(values.to_python, answer), strict=True))
         # One name without a value empties the whole answer of an rclpy node: ask for each alone.
         existing = await self.list_parameters()
         result = ParameterValues()
         for name in wanted:
-            answer = (await self._ask('get_parameters', GetParameters.Request(names=[name]))).values
+            answer = (await self._ask('get_parameters', srv.GetParameters.Request(names=[name]))).values
             if answer:
                 result[name] = values.to_python(answer[0])
             elif name in existing:
@@ -171,14 +164,14 @@ class Questions:
     async def get_parameter_types(self, names: Iterable[str]) -> dict[str, ParameterType]:
         """Return the types of parameters."""
         names = _listed(names)
-        answer = (await self._ask('get_parameter_types', GetParameterTypes.Request(names=names))).types
+        answer = (await self._ask('get_parameter_types', srv.GetParameterTypes.Request(names=names))).types
         await self._require_all(names, answer)
         return {name: values.TYPES[number] for name, number in zip(names, answer, strict=True)}
 
     async def describe_parameters(self, names: Iterable[str] | None = None) -> Descriptors:
         """Return type, range, description and more of several parameters, or of all."""
         wanted = await self.list_parameters() if names is None else _listed(names)
-        answer = (await self._ask('describe_parameters', DescribeParameters.Request(names=wanted))).descriptors
+        answer = (await self._ask('describe_parameters', srv.DescribeParameters.Request(names=wanted))).descriptors
         await self._require_all(wanted, answer)
         return Descriptors(zip(wanted, map(descriptor_of, wanted, answer), strict=True))
 
@@ -305,7 +298,7 @@ class ParameterClient:
 
         :raises InvalidValueError: no parameter can hold one of the values; then nothing was sent.
         """
-        request = SetParameters.Request(parameters=self._to_messages(new))
+        request = srv.SetParameters.Request(parameters=self._to_messages(new))
         answer = self._call('set_parameters', request).results
         return SetResults(self._result(name, new[name], each) for name, each in zip(new, answer, strict=True))
 
@@ -315,17 +308,13 @@ class ParameterClient:
         :return: One result for each parameter; where the node rejected, all carry its one reason.
         :raises InvalidValueError: no parameter can hold one of the values; then nothing was sent.
         """
-        request = SetParametersAtomically.Request(parameters=self._to_messages(new))
+        request = srv.SetParametersAtomically.Request(parameters=self._to_messages(new))
         answer = self._call('set_parameters_atomically', request).result
         return SetResults(self._result(name, value, answer) for name, value in new.items())
 
     def delete_parameter(self, name: str) -> SetResult:
-        """Ask the node to undeclare a parameter, which only one with dynamic typing allows."""
-        return self.delete_parameters([name])[0]
-
-    def delete_parameters(self, names: Iterable[str]) -> SetResults:
-        """Ask the node to undeclare parameters, each for itself: in ROS, setting one to "not set" deletes it."""
-        return self.set_parameters(dict.fromkeys(_listed(names)))
+        """Ask the node to undeclare a parameter, which only one with dynamic typing allows: "not set" deletes it."""
+        return self.set_parameter(name, None)
 
     def dump(self, path: str | Path | None = None) -> parameter_files.Dump:
         """Write the node's parameters as a parameter file that ``--params-file`` and ``load`` read back.

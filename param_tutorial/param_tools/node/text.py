@@ -47,10 +47,6 @@ def _parse_bool(text: str) -> bool:
     return {'true': True, 'false': False}[text.strip().lower()]
 
 
-def _parse_byte(text: str) -> bytes:
-    return bytes([_parse_integer(text)])
-
-
 def _parse_string(text: str) -> str:
     text = text.strip()
     return yaml.safe_load(text) if text[:1] in ('"', "'") else text
@@ -72,10 +68,6 @@ def _unquoted(text: str) -> str:
 
 
 _PLAIN = re.compile(r'\w([\w ./-]*\w)?')
-
-
-def _format_string(text: str) -> str:
-    return text if _PLAIN.fullmatch(text) else quote(text)
 
 
 def _format_any(value: Any) -> str:
@@ -124,11 +116,13 @@ _FORMS = {
     values.INTEGER: Form(str, _parse_integer, 'an integer, e.g. 42'),
     values.DOUBLE: Form(repr, _parse_double, 'a double, e.g. 0.5'),
     values.STRING: Form(lambda text: quote(text) if _needs_quotes(text) else text, _unquoted, 'text'),
-    values.BYTE_ARRAY: _array_of(Form(lambda byte: f'0x{byte[0]:02x}', _parse_byte, 'bytes, e.g. [0x00, 0xff]')),
+    values.BYTE_ARRAY: _array_of(Form(lambda byte: f'0x{byte[0]:02x}', lambda text: bytes([_parse_integer(text)]),
+                                      'bytes, e.g. [0x00, 0xff]')),
     values.BOOL_ARRAY: _array_of(Form(lambda value: str(value).lower(), _parse_bool, 'booleans, e.g. [true, false]')),
     values.INTEGER_ARRAY: _array_of(Form(str, _parse_integer, 'integers, e.g. [1, 2, 3]')),
     values.DOUBLE_ARRAY: _array_of(Form(repr, _parse_double, 'doubles, e.g. [0.5, 1.0]')),
-    values.STRING_ARRAY: _array_of(Form(_format_string, _parse_string, 'strings, e.g. [left, "right, far"]')),
+    values.STRING_ARRAY: _array_of(Form(lambda text: text if _PLAIN.fullmatch(text) else quote(text), _parse_string,
+                                        'strings, e.g. [left, "right, far"]')),
 }
 
 

@@ -29,7 +29,7 @@ class _Taken:
 
 @dataclass
 class Status(_Taken):
-    """How often something has happened."""
+    """How often something has happened: every ``rmw_*_status_t`` that counts nothing else."""
 
     total_count: int = 0
     total_count_change: int = 0
@@ -69,26 +69,6 @@ class IncompatibleQos(Status):
         super().add(count)
         if policy is not None:
             self.last_policy_kind = policy
-
-
-class IncompatibleType(Status):
-    """rmw_incompatible_type_status_t."""
-
-
-class DeadlineMissed(Status):
-    """rmw_requested_deadline_missed_status_t."""
-
-
-class OfferedDeadlineMissed(Status):
-    """rmw_offered_deadline_missed_status_t."""
-
-
-class MessageLost(Status):
-    """rmw_message_lost_status_t."""
-
-
-class LivelinessLost(Status):
-    """rmw_liveliness_lost_status_t."""
 
 
 @dataclass

@@ -11,16 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from param_tools.rcl_in_python import messages, qos
-from param_tools.rcl_in_python.events import (
-    DeadlineMissed,
-    IncompatibleQos,
-    IncompatibleType,
-    LivelinessChanged,
-    LivelinessLost,
-    Matched,
-    MessageLost,
-    OfferedDeadlineMissed,
-)
+from param_tools.rcl_in_python.events import IncompatibleQos, LivelinessChanged, Matched, Status
 from param_tools.rcl_in_python.waiting import changed
 
 _gids = itertools.count(1)
@@ -69,7 +60,7 @@ class Endpoint:
         self.profile = qos.settled(profile, is_writer=self.is_writer)
         self.gid = [*next(_gids).to_bytes(8, 'little'), *bytes(8)]
         self.matched: list[Any] = []
-        self.matches, self.incompatible_type = Matched(), IncompatibleType()
+        self.matches, self.incompatible_type = Matched(), Status()
         self.incompatible_qos = IncompatibleQos()
         domain.add(self)
 
@@ -96,7 +87,7 @@ class Writer(Endpoint):
     def __init__(self, *args: Any):
         self._numbers = itertools.count(1)
         self._kept: deque[Sample] = deque()
-        self.deadline_missed, self.liveliness = OfferedDeadlineMissed(), LivelinessLost()
+        self.deadline_missed, self.liveliness = Status(), Status()
         super().__init__(*args)
 
     def write(self, message: Any, header: Any = None, to: 'Reader | None' = None) -> None:
@@ -132,7 +123,7 @@ class Reader(Endpoint):
 
     def __init__(self, *args: Any):
         self.queue: deque[Sample] = deque()
-        self.deadline_missed, self.message_lost, self.liveliness = DeadlineMissed(), MessageLost(), LivelinessChanged()
+        self.deadline_missed, self.message_lost, self.liveliness = Status(), Status(), LivelinessChanged()
         super().__init__(*args)
 
     def receive(self, sample: Sample) -> None:

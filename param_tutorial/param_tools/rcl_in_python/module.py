@@ -58,12 +58,12 @@ def make(name: str) -> types.ModuleType:
         'rclpy_get_validation_error_for_node_name': node_names.flaw_of_node_name,
         'rmw_matched_status_t': events.Matched,
         'rmw_requested_qos_incompatible_event_status_t': events.IncompatibleQos,
-        'rmw_incompatible_type_status_t': events.IncompatibleType,
-        'rmw_requested_deadline_missed_status_t': events.DeadlineMissed,
-        'rmw_offered_deadline_missed_status_t': events.OfferedDeadlineMissed,
+        'rmw_incompatible_type_status_t': events.Status,
+        'rmw_requested_deadline_missed_status_t': events.Status,
+        'rmw_offered_deadline_missed_status_t': events.Status,
         'rmw_liveliness_changed_status_t': events.LivelinessChanged,
-        'rmw_liveliness_lost_status_t': events.LivelinessLost,
-        'rmw_message_lost_status_t': events.MessageLost,
+        'rmw_liveliness_lost_status_t': events.Status,
+        'rmw_message_lost_status_t': events.Status,
         'service_introspection': types.SimpleNamespace(ServiceIntrospectionState=enums.ServiceIntrospectionState),
     }
     members |= {each: _not_here(each) for each in (

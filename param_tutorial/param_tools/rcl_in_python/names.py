@@ -107,12 +107,6 @@ def expand(topic: str, node: str, namespace: str) -> str:
     return topic if topic[0] == '/' else f'{namespace.rstrip("/")}/{topic}'
 
 
-def check_full_topic_name(name: str) -> None:
-    """:raises InvalidNameError: it is no name of a topic or service that has been written out."""
-    if flaw := flaw_of_full_topic_name(name):
-        raise InvalidNameError('topic name', flaw[0])
-
-
 def rclpy_expand_topic_name(topic: str, node: str, namespace: str) -> str:
     try:
         return expand(topic, node, namespace)

@@ -81,7 +81,8 @@ class Node(Destroyable):
         name = names.expand(name, self.entry.name, self.entry.namespace)
         if not only_expand:
             name = remapped(self._sources, kind, name, self.entry.name, self.entry.namespace)
-        names.check_full_topic_name(name)
+        if flaw := names.flaw_of_full_topic_name(name):
+            raise names.InvalidNameError('topic name', flaw[0])
         return name
 
     def remap_topic(self, name: str) -> str:

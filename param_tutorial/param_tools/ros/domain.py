@@ -31,9 +31,9 @@ def choose() -> int:
     :raises ExecutorError: ROS_DOMAIN_ID is no domain, or all domains are taken.
     """
     global _claim
-    if is_claimed():
-        return int(os.environ['ROS_DOMAIN_ID'])
     chosen = os.environ.get('ROS_DOMAIN_ID')
+    if _claim is not None and chosen == str(_claim[0]):
+        return _claim[0]
     if not chosen:
         environment.drop_networks()
     # Fast DDS 2.14 knows this name only; from 3.0 on it is FASTDDS_DEFAULT_PROFILES_FILE.
@@ -50,11 +50,6 @@ def choose() -> int:
     # LOCALHOST would listen on all interfaces, and add shared memory to whatever a profile says.
     os.environ.setdefault('ROS_AUTOMATIC_DISCOVERY_RANGE', 'SYSTEM_DEFAULT' if _on_loopback() else 'LOCALHOST')
     return _claim[0]
-
-
-def is_claimed() -> bool:
-    """True if this process has claimed the ROS domain in its environment, and neither the user nor a parent has."""
-    return _claim is not None and os.environ.get('ROS_DOMAIN_ID') == str(_claim[0])
 
 
 def settings() -> dict[str, str]:

@@ -189,7 +189,7 @@ def start(turns: Turns, command: Sequence[str], output: Output | None, *, enviro
         if package in provided_packages().values():
             make, arguments, ends_quietly = lambda: _module(package, name), [package, *rest], True
     elif make is None and is_python and command[1].endswith('.py'):
-        make, arguments = lambda: _script(Path(command[1])), list(command[1:])
+        make, arguments = lambda: _run(Path(command[1]), '__main__', None), list(command[1:])
     if make is None:
         raise NoProcessError(f'There are no processes in a web page, and {Path(command[0]).name!r} needs one: only '
                              f'ros2, its programs of this course, and files in Python run here')
@@ -259,11 +259,6 @@ def _module(package: str, name: str) -> Steps:
     if found is None or found.origin is None:
         raise ModuleNotFoundError(f'No module named {package}.{name}')
     return _run(Path(found.origin), f'{package}.{name}', package)
-
-
-def _script(path: Path) -> Steps:
-    """Run a file as ``python FILE`` does."""
-    return _run(path, '__main__', None)
 
 
 def _run(path: Path, name: str, package: str | None) -> Steps:

@@ -159,7 +159,9 @@ class Difference(NodesTable[ChangedParameter]):
     def words(self, record: ChangedParameter) -> tuple[str, ...]:
         before, after = values.format_change(record.before, record.after)
         if record.kind == 'changed type':
-            before, after = (_format_with_type(value) for value in (record.before, record.after))
+            before, after = (
+                '[] (array)' if value == [] else f'{values.format_value(value)} ({values.type_of(value).label})'
+                for value in (record.before, record.after))
         return (record.name, record.kind, '-' if record.kind == 'added' else before,
                 '-' if record.kind == 'removed' else after)
 
@@ -223,7 +225,3 @@ def _differ_in_type(before: Any, after: Any) -> bool:
     if values.is_empty_array(before) or values.is_empty_array(after):
         return isinstance(before, list) is not isinstance(after, list)
     return values.type_of(before) is not values.type_of(after)
-
-
-def _format_with_type(value: Any) -> str:
-    return '[] (array)' if value == [] else f'{values.format_value(value)} ({values.type_of(value).label})'

@@ -76,11 +76,8 @@ def class_of(path: Path) -> type[Node]:
         raise NoUse(f'a class of nodes in `{path.name}`', str(error)) from None
 
 
-def _is_package(work: Any) -> bool:
-    return isinstance(work, (FollowedPackage, PackageFiles))
-
-
-PACKAGE = Kind('your package, as `Package(...)` has returned it', _is_package, 'package',
+PACKAGE = Kind('your package, as `Package(...)` has returned it',
+               lambda work: isinstance(work, (FollowedPackage, PackageFiles)), 'package',
                lambda work: getattr(work, 'files', work))
 """The files of the reader's package."""
 DRIVER = PACKAGE._replace(open=lambda work: class_of(file_of(work, 'driver_node.py')))

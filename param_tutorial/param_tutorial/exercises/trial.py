@@ -422,18 +422,14 @@ def _in_corner(text: str) -> str:
 
 def _describe_raised(error: BaseException) -> str:
     """Return what a callback has raised, to follow its name."""
-    return f'{": " if _is_sentence(error) else " raised "}{describe_error(error)}'
-
-
-def _is_sentence(error: BaseException) -> bool:
-    return isinstance(error, ParameterToolError)
+    return f'{": " if isinstance(error, ParameterToolError) else " raised "}{describe_error(error)}'
 
 
 def describe_error(error: BaseException) -> str:
     """Return an exception as a sentence, with the line of the learner's code that it comes from."""
     if isinstance(error, CallbackError) and error.__cause__:
         return f'a callback{_describe_raised(error.__cause__)}'
-    if _is_sentence(error):
+    if isinstance(error, ParameterToolError):
         return str(error)
     said = str(error).rstrip('.')  # the line may follow
     words = f'{type(error).__name__}: {said}' if said else type(error).__name__

@@ -33,14 +33,6 @@ class EventRow(NamedTuple):
     """None if it was deleted."""
 
 
-def changes_in(event: ParameterEvent) -> list[EventRow]:
-    """Return what an event reports, in the order of the message."""
-    return [EventRow(event.node, kind, each.name, values.to_python(each.value))
-            for kind, parameters in (('new', event.new_parameters), ('changed', event.changed_parameters),
-                                     ('deleted', event.deleted_parameters))
-            for each in parameters]
-
-
 class EventView(FollowingView):
     """A table of what is published on /parameter_events from now on, newest first, until it is closed."""
 
@@ -79,8 +71,12 @@ class EventView(FollowingView):
 
     def _on_event(self, event: ParameterEvent) -> None:
         if event.node == self._node or (self._node is None and '/_' not in event.node):
+            changes = [EventRow(event.node, kind, each.name, values.to_python(each.value))
+                       for kind, parameters in (('new', event.new_parameters), ('changed', event.changed_parameters),
+                                                ('deleted', event.deleted_parameters))
+                       for each in parameters]
             with self._lock:
-                self._changes.extend(changes_in(event))
+                self._changes.extend(changes)
             self._job.wake()
 
     def _show(self) -> None:

@@ -197,7 +197,7 @@ def _stored_cells() -> list[stored.Cell]:
 
 def _make_wheel(name: str, files: dict[str, bytes], target: Path) -> dict[str, object]:
     """Write a wheel, and return what Pyodide's lock says of it."""
-    archive = _made(name, files, _with_compiled)
+    archive = _made(name, files, lambda each: {**each, **_compiled(each)})
     # A wheel is of one package, with metadata; everything else is a plain archive.
     is_wheel = name != _NEEDS and any(each.endswith('.dist-info/METADATA') for each in files)
     file_name = f'{name.replace("-", "_")}-{VERSION}-py3-none-any.whl' if is_wheel else f'{name}.zip'
@@ -234,10 +234,6 @@ def _archive(files: dict[str, bytes]) -> bytes:
         for name, content in sorted(files.items()):
             archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)
     return buffer.getvalue()
-
-
-def _with_compiled(files: dict[str, bytes]) -> dict[str, bytes]:
-    return {**files, **_compiled(files)}
 
 
 def _only_compiled(files: dict[str, bytes]) -> dict[str, bytes]:

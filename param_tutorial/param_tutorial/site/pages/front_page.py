@@ -114,7 +114,7 @@ def front_page_source(index: Path, chapters: Mapping[Path, LiveChapter], facts: 
     links = Links(index, nbformat.v4.new_notebook(), {*names, *deeper, 'claims'})
     return _TEXT.format(no_script=NO_SCRIPT, try_it=_robot_to_try(chapters), doors=_doors(text, names),
                         chapters=_groups(text, names), provenance=_provenance_text(facts),
-                        deeper=_deeper(links.in_markdown(text)) if deeper else '',
+                        deeper=f'## Deeper\n\n{_section(links.in_markdown(text), "Deeper")}\n\n' if deeper else '',
                         in_lab=_IN_LAB if has_lab else '', names='\n'.join(names),
                         more_names=_MORE.format('\n'.join(deeper)) if deeper else '')
 
@@ -128,15 +128,12 @@ def _robot_to_try(chapters: Mapping[Path, LiveChapter]) -> str:
                 # The page runs the cells down to this one, and shows none but this.
                 markup = (f'{live_cells(live.cells[:at + 1])}<div class="front-robot cell tag_live-{cell.id}">'
                           f'<div class="cell_output">{still(cell, cell.roots[0])}</div></div>')
-                return (f'{_one_block(markup)}\n\n'
+                # A block of HTML in Markdown ends at an empty line.
+                markup = re.sub(r'\n\s*\n', '\n', markup)
+                return (f'```{{raw}} html\n{markup}\n```\n\n'
                         'Move the slider while the robot drives. How fast may it be, and still stop before the wall? '
                         f'That is where [the first lesson]({path.name}) begins.')
     return ''
-
-
-def _one_block(markup: str) -> str:
-    """Keep Markdown from reading what is HTML: a block of it ends at an empty line."""
-    return '```{raw} html\n' + re.sub(r'\n\s*\n', '\n', markup) + '\n```'
 
 
 def _section(text: str, heading: str) -> str:
@@ -163,11 +160,6 @@ def at_home_source(index: Path, pages: set[str]) -> str:
     links = Links(index, nbformat.v4.new_notebook(), pages)
     section = _section(index.read_text(encoding='utf-8'), 'Where to start')
     return _AT_HOME.format(ways='\n'.join(re.findall(r'^\|.*', links.in_markdown(section), re.MULTILINE)))
-
-
-def _deeper(text: str) -> str:
-    """Return the notebooks beside the chapters, as the notebooks' start page lists them."""
-    return f'## Deeper\n\n{_section(text, "Deeper")}\n\n'
 
 
 def _groups(text: str, names: list[str]) -> str:
