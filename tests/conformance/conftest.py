@@ -33,11 +33,11 @@ class Ros:
         rclpy.init(args=['program', '--ros-args', *ros_args], context=self.context)
         self.executor = SingleThreadedExecutor(context=self.context)
 
-    def node(self, name: str = 'node', *, node_class: type[Node] = Node, **options: Any) -> Any:
+    def node(self, name: str = 'node', **options: Any) -> Any:
         """Return a node that ``wait`` spins."""
         if self.executor is None:
             self.init()
-        node = node_class(name, context=self.context, **options)
+        node = Node(name, context=self.context, **options)
         self.nodes.append(node)
         self.executor.add_node(node)
         return node

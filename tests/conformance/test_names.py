@@ -3,11 +3,7 @@
 import pytest
 from rcl_interfaces.msg import Log
 from rcl_interfaces.srv import GetParameters
-from rclpy.exceptions import (
-    InvalidNamespaceException,
-    InvalidNodeNameException,
-    InvalidTopicNameException,
-)
+from rclpy.exceptions import InvalidNamespaceException, InvalidNodeNameException, InvalidTopicNameException
 from rclpy.expand_topic_name import expand_topic_name
 from rclpy.impl.implementation_singleton import rclpy_implementation as layer
 from rclpy.validate_topic_name import validate_topic_name

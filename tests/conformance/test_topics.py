@@ -2,25 +2,12 @@
 
 import pytest
 from builtin_interfaces.msg import Time
-from rcl_interfaces.msg import (
-    FloatingPointRange,
-    Log,
-    Parameter,
-    ParameterEvent,
-    ParameterValue,
-    SetParametersResult,
-)
+from rcl_interfaces.msg import FloatingPointRange, Log, Parameter, ParameterEvent, ParameterValue, SetParametersResult
 from rcl_interfaces.srv import GetParameters
 from rclpy.duration import Duration
 from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.impl.implementation_singleton import rclpy_implementation as layer
-from rclpy.qos import (
-    DurabilityPolicy,
-    QoSCompatibility,
-    QoSProfile,
-    ReliabilityPolicy,
-    qos_check_compatible,
-)
+from rclpy.qos import DurabilityPolicy, QoSCompatibility, QoSProfile, ReliabilityPolicy, qos_check_compatible
 from rclpy.serialization import deserialize_message, serialize_message
 
 LASTING = QoSProfile(depth=3, durability=DurabilityPolicy.TRANSIENT_LOCAL)

@@ -3,7 +3,6 @@
 import re
 import shutil
 from contextlib import closing
-from pathlib import Path
 
 import pytest
 
@@ -29,13 +28,7 @@ class Workspace:
         self.status = self.shell.status
         self.shell.run('source install/setup.bash')
         self.log = (self.shell.home / 'ws/log/latest_build/logger_all.log').read_text()
-        self.prefix = self.shell.home / 'ws' / 'install' / NAME
-        self.share = self.prefix / 'share' / NAME
-
-    def where_is(self, module: str) -> Path:
-        """Return the file that programs started here import."""
-        return Path(self.shell.run(f'realpath $(python -c "import {module}; print({module}.__file__)")'
-                                   ).replace('~', str(self.shell.home)))
+        self.share = self.shell.home / 'ws' / 'install' / NAME / 'share' / NAME
 
 
 @pytest.fixture(scope='module', params=['', '--symlink-install'], ids=['plain', 'symlink'])

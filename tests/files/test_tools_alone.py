@@ -6,7 +6,6 @@ import shutil
 import subprocess
 import sys
 import zipfile
-from pathlib import Path
 
 import pytest
 
@@ -51,15 +50,3 @@ def test_files_are_checked_with_nothing_but_pyyaml(python, tmp_path, words, stat
     assert done.returncode == status, done.stderr
     assert (done.stdout + done.stderr).startswith(said)
     assert 'Traceback' not in done.stderr
-
-
-def test_a_file_is_checked_without_importing_ros_or_jupyter(tmp_path):
-    path = Path(tmp_path, 'bad.yaml')
-    path.write_text(BAD)
-    program = ('import sys; from param_tools.__main__ import main; status = main(); '
-               'print(status, *sorted({name.partition(".")[0] for name in sys.modules}))')
-    done = subprocess.run([sys.executable, '-c', program, 'check', path], capture_output=True, text=True, check=True)
-    status, *imported = done.stdout.splitlines()[-1].split()
-    assert status == '1'
-    assert 'yaml' in imported
-    assert not {'rclpy', 'rcl_interfaces', 'ipywidgets', 'IPython', 'ipykernel', 'numpy'} & set(imported)

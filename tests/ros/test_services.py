@@ -2,10 +2,9 @@
 
 import pytest
 from rcl_interfaces.srv import ListParameters, SetParameters
-from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tools.errors import NoAnswerError, NodeError, NodeNotFoundError, ParameterToolError
+from param_tools.errors import NoAnswerError, NodeNotFoundError, ParameterToolError
 from param_tools.ros import executor
 from param_tools.ros.services import full_name
 from param_tools.ros.waiting import wait_until
@@ -38,14 +37,6 @@ def test_a_node_that_is_not_there_is_named_with_its_likeliest_neighbor(ros):
     assert f'There is: {ROBOT}' in error_of('/not a name')
     ros.remove_all()
     assert 'No node is running' in error_of(ROBOT)
-
-
-def test_a_node_without_parameter_services_is_distinguished_from_a_missing_one(ros):
-    ros.add(Node, 'mute', start_parameter_services=False)
-    with pytest.raises(NodeError, match='/mute is running but offers no list_parameters service') as caught:
-        ros.services.call('/mute', 'list_parameters', ListParameters.Request())
-    assert not isinstance(caught.value, NodeNotFoundError)
-    assert not ros.services.is_ready('/mute')
 
 
 def test_an_error_names_the_callback_of_another_node_that_is_in_the_way_each_time(ros, monkeypatch):

@@ -7,11 +7,7 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from param_tools import all_parameters, values
-from param_tools.errors import (
-    NoAnswerError,
-    NodeNotFoundError,
-    NoServiceError,
-)
+from param_tools.errors import NoAnswerError, NodeNotFoundError, NoServiceError
 from param_tools.files.parameter_files import read_all
 from param_tools.node.client import ParameterValues
 from param_tools.systems.snapshot import Snapshot

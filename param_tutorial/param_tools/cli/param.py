@@ -84,7 +84,10 @@ def list_parameters(session: Session, args: argparse.Namespace) -> None:
         session.executor.services.find(nodes[0].full_name, 'list_parameters')  # without it, that is what is printed
     else:
         session.wait_for_graph(args)
-        nodes = _listed_nodes(session, hidden=args.include_hidden_nodes)
+        # Each name once, in the order of the genuine command, when their services are known.
+        nodes = sorted({each for each in session.node_names(hidden=args.include_hidden_nodes)
+                        if each.name != TOOL_NODE_NAME})
+        waiting.wait(lambda: all([_has_services(session, each) for each in nodes]), graph.DISCOVERY_SEC)
     answers = _ask_all(session, [each.full_name for each in nodes if _has_services(session, each)],
                        ListParameters.Request(prefixes=args.param_prefixes))
     for each in nodes:
@@ -124,13 +127,6 @@ def _ask_all(session: Session, nodes: Sequence[str], request: ListParameters.Req
     # Each call has a time limit of its own, so each finishes.
     waiting.wait(lambda: len(answers) == len(nodes), math.inf)
     return answers
-
-
-def _listed_nodes(session: Session, *, hidden: bool) -> list[NodeName]:
-    """Return the nodes, each name once, in the order of the genuine command, when their services are known."""
-    found = sorted({each for each in session.node_names(hidden=hidden) if each.name != TOOL_NODE_NAME})
-    waiting.wait(lambda: all([_has_services(session, each) for each in found]), graph.DISCOVERY_SEC)
-    return found
 
 
 def _has_services(session: Session, node: NodeName) -> bool:

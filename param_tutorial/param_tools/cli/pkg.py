@@ -65,7 +65,13 @@ def create_package(session: Session, args: argparse.Namespace) -> None:
             Path(folder, name).mkdir()
         else:
             Path(folder, name).write_text(text, encoding='utf-8')
-    _print_note_on_license(session, args.license)
+    if args.license in LICENSES:
+        session.print(f'\n[WARNING]: No LICENSE file has been created: the text of {args.license} is not at hand '
+                      f'here. The genuine command writes it.')
+        return
+    session.print(f"\n[WARNING]: Unknown license '{args.license}'.  This has been set in the package.xml, but no "
+                  f'LICENSE file has been created.\nIt is recommended to use one of the ament license identifiers:')
+    session.print(*LICENSES, sep='\n')
 
 
 def _check(args: argparse.Namespace) -> None:
@@ -102,16 +108,6 @@ def _print_properties(session: Session, args: argparse.Namespace) -> None:
     session.print('dependencies:', args.dependencies)
     if args.node_name:
         session.print('node_name:', args.node_name)
-
-
-def _print_note_on_license(session: Session, license_name: str) -> None:
-    if license_name in LICENSES:
-        session.print(f'\n[WARNING]: No LICENSE file has been created: the text of {license_name} is not at hand '
-                      f'here. The genuine command writes it.')
-        return
-    session.print(f"\n[WARNING]: Unknown license '{license_name}'.  This has been set in the package.xml, but no "
-                  f'LICENSE file has been created.\nIt is recommended to use one of the ament license identifiers:')
-    session.print(*LICENSES, sep='\n')
 
 
 def _files(args: argparse.Namespace) -> dict[str, str]:

@@ -345,8 +345,9 @@ class BackgroundExecutor:
         self._executor.create_task(work)
         patience_sec = max(timeout_sec - self.busy_sec, min(timeout_sec, _LEAST_PATIENCE_SEC))
         if not wait_for(finished, patience_sec) and not self._interrupt(finished):
-            raise StuckError(f'cannot {what}: {self._describe_culprit()}. Call start() again: it begins anew, without '
-                             f'any node')
+            running = self.running
+            raise StuckError(f'cannot {what}: {_sentence(running) if running else "A function"} does not return and '
+                             f'cannot be interrupted. Call start() again: it begins anew, without any node')
         if errors:
             raise errors[0]
         return values[0]
@@ -430,10 +431,6 @@ class BackgroundExecutor:
                     f'anew, without any node')
         name, when = self._interrupted
         return f'{name} did not return, and kept the one thread of all nodes' if when > since else ''
-
-    def _describe_culprit(self) -> str:
-        running = self.running
-        return f'{_sentence(running) if running else "A function"} does not return and cannot be interrupted'
 
     def _interrupt(self, has_ended: threading.Event) -> bool:
         """Raise an exception in the callback that keeps the thread, if it runs Python code; return whether it ended.

@@ -80,12 +80,18 @@ class Copies:
         :return: What the learner should know.
         :raises ParameterToolError: there is no such chapter, or the folder can't be written.
         """
-        name = self._find(chapter)
+        names = {number_of(path.stem): path.name for path in sorted(self.chapters.glob('[0-9]*.ipynb'))}
+        wanted = number_of(chapter.strip().removesuffix('.ipynb'))
+        if wanted not in names:
+            raise ParameterToolError(f'There is no chapter {chapter!r}{nearest(wanted, list(names), "There are none")}')
+        name = Path(names[wanted])
         copy, fresh = self.folder / name, _fresh(self.chapters / name)
         with self._made_folder():
             if _bytes_of(copy) == fresh:
                 return f'{self._say(copy)} is fresh already.'
-            kept = self._back_up(name) if copy.exists() else None
+            kept = self.folder / BACKUPS / time_stamp() / name if copy.exists() else None
+            if kept:
+                write_whole(kept, copy.read_bytes())
             self._give(name, fresh)
         said = f'{self._say(copy)} is fresh again.'
         if kept:
@@ -98,14 +104,6 @@ class Copies:
         found = (path.relative_to(self.chapters) for path in self.chapters.rglob('*') if path.is_file())
         return sorted(path for path in found
                       if path.suffix != '.py' and not any(part.startswith(('.', '__')) for part in path.parts))
-
-    def _find(self, chapter: str) -> Path:
-        """Return the file of the chapter with this number or name."""
-        names = {number_of(path.stem): path.name for path in sorted(self.chapters.glob('[0-9]*.ipynb'))}
-        wanted = number_of(chapter.strip().removesuffix('.ipynb'))
-        if wanted not in names:
-            raise ParameterToolError(f'There is no chapter {chapter!r}{nearest(wanted, list(names), "There are none")}')
-        return Path(names[wanted])
 
     def _bring(self, name: Path) -> str | None:
         """Bring one copy up to date, unless the learner has changed it.
@@ -142,15 +140,6 @@ class Copies:
     def _delivered(self, digest: str) -> Path:
         """Return the file that is there if a text with this digest was ever delivered."""
         return self.folder / DELIVERED / digest
-
-    def _back_up(self, name: Path) -> Path:
-        """Keep a file of the learner's as it is.
-
-        :return: Where it is kept.
-        """
-        kept = self.folder / BACKUPS / time_stamp() / name
-        write_whole(kept, (self.folder / name).read_bytes())
-        return kept
 
     def _say(self, path: Path) -> str:
         return str(path.relative_to(self._course) if path.is_relative_to(self._course) else path)

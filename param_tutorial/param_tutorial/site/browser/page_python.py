@@ -165,7 +165,8 @@ def _files_in(folder: Path, name: str) -> Iterator[tuple[str, bytes]]:
 
 def _course_files() -> Iterator[tuple[str, bytes]]:
     """Yield the files of the course as in a checkout: its ROS package, the parameter files, and what can't run here."""
-    yield f'course/{STORED}', json.dumps(_stored_cells()).encode()
+    notebooks = (json.loads(path.read_text(encoding='utf-8')) for path in sorted((ROOT / 'notebooks').rglob('*.ipynb')))
+    yield f'course/{STORED}', json.dumps([cell for each in notebooks for cell in stored.collect(each)]).encode()
     yield from _files_in(ROOT / 'config', 'course/config')
     package = f'course/{PACKAGE_ROOT.name}'
     yield f'{package}/package.xml', (PACKAGE_ROOT / 'package.xml').read_bytes()
@@ -187,12 +188,6 @@ def _start_files() -> dict[str, bytes]:
         f'{wheel}.dist-info/entry_points.txt': f'[param_tools.packages]\n{points}',
         # What lies in data/ is put at the root of the page's file system, where IPython looks for its settings.
         f'{wheel}.data/data/etc/ipython/ipython_config.py': _IPYTHON_CONFIG}.items()}
-
-
-def _stored_cells() -> list[stored.Cell]:
-    """Return the cells of all chapters that can't run in a page."""
-    notebooks = sorted((ROOT / 'notebooks').rglob('*.ipynb'))
-    return [cell for path in notebooks for cell in stored.collect(json.loads(path.read_text(encoding='utf-8')))]
 
 
 def _make_wheel(name: str, files: dict[str, bytes], target: Path) -> dict[str, object]:
