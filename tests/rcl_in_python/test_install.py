@@ -9,19 +9,13 @@ import rclpy
 from param_tools.errors import LayerError
 from param_tools.rcl_in_python.install import install, is_installed
 from tests.support.paths import ROOT
+from tests.support.processes import output_of
 
 BEGIN = '''
 import sys
 from param_tools.rcl_in_python.install import install
 install(even_beside_the_real_one=True)
 '''
-
-
-def run(program):
-    """Run a program in a process of its own, and return what it prints; raise if it fails."""
-    done = subprocess.run([sys.executable, '-c', BEGIN + program], capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
-    return done.stdout
 
 
 def test_it_is_not_installed_beside_the_real_one():
@@ -35,7 +29,7 @@ def test_it_is_not_installed_beside_the_real_one():
 
 
 def test_what_is_not_part_of_it_says_so():
-    assert run('''
+    assert output_of(BEGIN + '''
 import rclpy
 from rclpy.action import ActionClient
 from rclpy.experimental import EventsExecutor
@@ -50,7 +44,7 @@ for attempt in (EventsExecutor, lambda: LifecycleNode('node')):
 
 
 def test_where_there_is_no_numpy_messages_get_what_they_use_of_it():
-    assert run('''
+    assert output_of(BEGIN + '''
 from importlib.machinery import PathFinder
 find_spec = PathFinder.find_spec
 PathFinder.find_spec = lambda name, *more: None if name == 'numpy' else find_spec(name, *more)

@@ -87,7 +87,9 @@ def test_no_other_host_sees_a_node_unless_its_user_says_so(two_hosts):
 @pytest.mark.thorough
 @pytest.mark.parametrize('setting', hosts.SETTINGS)
 def test_each_new_process_finds_the_node_that_is_there(two_hosts, setting):
-    assert None not in hosts.time_to_find(two_hosts[0], setting, processes=30)
+    variables = two_hosts[0].start_nodes(setting, 'robot')
+    for _ in range(30):
+        assert two_hosts[0].ros2('param', 'get', '/robot', 'x', **variables) == 'Integer value is: 1'
 
 
 @pytest.mark.thorough

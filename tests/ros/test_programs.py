@@ -4,9 +4,9 @@ Each test is a process of its own, on rclpy in Python, because a program has a d
 logs of its own there.
 """
 
-import subprocess
-import sys
 import textwrap
+
+from tests.support.processes import output_of
 
 BEGIN = """
 import subprocess, threading, time
@@ -24,11 +24,7 @@ ros = param_tutorial.start()
 
 def run(source, tmp_path):
     """Run a program after BEGIN, and return what it prints."""
-    done = subprocess.run([sys.executable, '-c', BEGIN + source + '\nparam_tutorial.stop()\n'], capture_output=True,
-                          text=True, cwd=tmp_path)
-    assert done.returncode == 0, done.stderr
-    assert done.stderr == ''
-    return done.stdout
+    return output_of(f'{BEGIN}{source}\nparam_tutorial.stop()\n', tmp_path)
 
 
 def written(tmp_path, source):

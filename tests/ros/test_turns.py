@@ -4,8 +4,7 @@ Each test is a process of its own, because the waits of the whole process change
 has threads, so the process can be watched; Python starts none.
 """
 
-import subprocess
-import sys
+from tests.support.processes import output_of
 
 BEGIN = """
 import threading, time
@@ -23,11 +22,7 @@ client = ParameterClient(node)
 
 def run(source):
     """Run a program after BEGIN, and return what it prints."""
-    done = subprocess.run([sys.executable, '-c', BEGIN + source + '\nparam_tutorial.stop()\n'], capture_output=True,
-                          text=True)
-    assert done.returncode == 0, done.stderr
-    assert done.stderr == ''
-    return done.stdout
+    return output_of(f'{BEGIN}{source}\nparam_tutorial.stop()\n')
 
 
 def test_a_panel_follows_and_leads():

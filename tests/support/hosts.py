@@ -4,7 +4,6 @@ import json
 import os
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 from tests.support.paths import ROOT
@@ -98,18 +97,3 @@ def connect(one: Host, other: Host) -> None:
     for host, address in ((one, '10.77.0.2/24'), (other, '10.77.0.1/24')):
         ip('-n', host.name, 'address', 'add', address, 'dev', 'eth0')
         ip('-n', host.name, 'link', 'set', 'eth0', 'up')
-
-
-def time_to_find(host: Host, setting: str, processes: int) -> list[float | None]:
-    """Ask for a parameter of a node that is there, each time in a new process.
-
-    :param setting: One of SETTINGS.
-    :return: How long each process took, in seconds; None for one that didn't find the node.
-    """
-    variables = host.start_nodes(setting, 'robot')
-    took = []
-    for _ in range(processes):
-        began = time.monotonic()
-        answer = host.ros2('param', 'get', '/robot', 'x', **variables)
-        took.append(time.monotonic() - began if answer == 'Integer value is: 1' else None)
-    return took

@@ -4,7 +4,9 @@ import contextlib
 import os
 import signal
 import subprocess
+import sys
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 # The first lines of a program that stands still when it is told to, before it has a second thread.
@@ -31,6 +33,13 @@ def standing_still(process: 'subprocess.Popen[Any]') -> Iterator[None]:
 def environment_without_domain() -> dict[str, str]:
     """Return the environment of this process for one that is to choose a ROS domain of its own."""
     return {name: value for name, value in os.environ.items() if name != 'ROS_DOMAIN_ID'}
+
+
+def output_of(program: str, folder: Path | None = None) -> str:
+    """Run a program of Python in a folder, and return what it prints; it must not fail, or complain."""
+    done = subprocess.run([sys.executable, '-c', program], capture_output=True, text=True, cwd=folder)
+    assert (done.returncode, done.stderr) == (0, '')
+    return done.stdout
 
 
 def wait_or_kill(process: 'subprocess.Popen[Any]', patience_sec: float = 30.0) -> None:

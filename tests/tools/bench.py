@@ -7,7 +7,6 @@ a figure is the median of many trials. A bar that is a ratio therefore holds on 
 import argparse
 import contextlib
 import json
-import math
 import os
 import platform
 import statistics
@@ -19,7 +18,7 @@ from pathlib import Path
 
 from playwright.sync_api import Locator, expect
 
-from tests.support import hosts, lesson
+from tests.support import lesson
 from tests.support.kernels import Kernel
 from tests.support.lab import Lab, LabPage, chromium
 
@@ -178,25 +177,6 @@ def command(processes: int) -> list[Row]:
             Row('%ros2 against a new process', f'{ratio:.0f} times faster', 'at least 100 times', ratio >= 100)]
 
 
-def discovery(processes: int) -> list[Row]:
-    """Count new processes that find a node that is there; on a host made for it, since SUBNET reaches the network."""
-    if not hosts.can_be_made():
-        return [Row('new processes that find a node', 'not measured: needs root')]
-    rows = []
-    for setting in hosts.SETTINGS:
-        with tempfile.TemporaryDirectory() as folder:
-            host = hosts.Host('bench', Path(folder) / 'shm')
-            try:
-                took = hosts.time_to_find(host, setting, processes)
-            finally:
-                host.end()
-        seconds = [each for each in took if each is not None]
-        rows.append(Row(f'new processes that find a node, {setting} set',
-                        f'{len(seconds)} of {processes}, {statistics.median(seconds or [math.nan]):.2f} s', 'all',
-                        len(seconds) == processes))
-    return rows
-
-
 def first_panel(rounds: int) -> list[Row]:
     """Measure a lesson's start in the real JupyterLab and Chromium."""
     with contextlib.ExitStack() as stack:
@@ -240,7 +220,6 @@ def main() -> int:
     print(f'{os.cpu_count()} cores, Python {platform.python_version()}, load {os.getloadavg()[0]:.1f}')
     is_met = True
     for measure in (lambda: latency(100 if quick else 1000), lambda: command(3 if quick else 10),
-                    lambda: discovery(3 if quick else 30),
                     lambda: first_panel(1 if quick else 10)):
         for row in measure():
             is_met &= row.is_met

@@ -39,12 +39,15 @@ class Job:
 
     def wake(self, in_sec: float = 0.0) -> None:
         """Make sure that the function is called after now. Cheap; from any thread."""
+        global _loop
         at = time.monotonic() + in_sec
         with _changed:
             if self._ended or _due.get(self, at + 1) <= at:
                 return
             _due[self] = at
-            _ensure_loop()
+            if _loop is None and not _is_ending:
+                _loop = host.host.loop(_run_next, lambda: _is_ending, LOOP_NAME, _LONGEST_WAIT_SEC)
+                _loop.start()
             _changed.notify()
 
     def call_now(self, timeout_sec: float) -> bool:
@@ -69,13 +72,6 @@ class Job:
             self._ended = True
             _due.pop(self, None)
             _changed.notify()
-
-
-def _ensure_loop() -> None:
-    global _loop
-    if _loop is None and not _is_ending:
-        _loop = host.host.loop(_run_next, lambda: _is_ending, LOOP_NAME, _LONGEST_WAIT_SEC)
-        _loop.start()
 
 
 def _run_next(wait_sec: float) -> bool:

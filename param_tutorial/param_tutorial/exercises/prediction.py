@@ -77,16 +77,8 @@ class Prediction:
         return bool(self.otherwise)
 
     def choice(self, text: str) -> Choice:
-        """Return what belongs to an answer.
-
-        :raises KeyError: it is none of the choices where the learner chooses.
-        """
-        for each in self.choices:
-            if each.text == text:
-                return each
-        if not self.is_number:
-            raise KeyError(text)
-        return wrong(text, self.otherwise)
+        """Return what belongs to an answer: a choice, or what is said to any other."""
+        return next((each for each in self.choices if each.text == text), wrong(text, self.otherwise))
 
     @property
     def text(self) -> str:

@@ -61,7 +61,10 @@ def answers(students: list[Student]) -> list[Answered]:
             given: dict[Choice, list[str]] = defaultdict(list)
             for name, progress in students:
                 if committed := progress.predicted.get(question.number):
-                    given[_choice(question, committed.choice, is_right=committed.right)].append(name)
+                    choice = question.choice(committed.choice)
+                    if choice.is_right != committed.right:  # which the course has judged otherwise since
+                        choice = Choice(committed.choice, '', committed.right)
+                    given[choice].append(name)
             wrong = sum(len(names) for choice, names in given.items() if not choice.is_right)
             if wrong:
                 by_choice = sorted(given.items(), key=lambda each: (each[0].is_right, -len(each[1])))
@@ -90,9 +93,3 @@ def stuck(students: list[Student]) -> list[Stuck]:
                 solved = sum(exercise.number in progress.solved for _, progress in students)
                 found.append(Stuck(exercise.number, exercise.title, by_requirement, list(begun), solved))
     return sorted(found, key=lambda each: -len(each.names))
-
-
-def _choice(question: Prediction, text: str, *, is_right: bool) -> Choice:
-    """Return the choice that an answer of a file names; a choice of its own for one that the course no longer has."""
-    found = next((each for each in question.choices if each.text == text), Choice(text, question.otherwise, False))
-    return found if found.is_right == is_right else Choice(text, '', is_right)
