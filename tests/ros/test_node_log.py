@@ -39,11 +39,7 @@ def test_each_line_is_read_once_and_only_up_to_the_one_wanted():
 
 
 def test_after_a_mark_only_what_was_logged_later_is_read_even_if_the_rest_arrives_later(ros):
-    class Talker(Node):
-        def __init__(self):
-            super().__init__('talker')
-
-    talker = ros.add(Talker)
+    talker = ros.add(Node, 'talker')
     talker.get_logger().info('before')
     ros.node_log.mark()
     talker.get_logger().info('after')

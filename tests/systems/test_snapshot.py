@@ -23,13 +23,6 @@ class Arm(Node):
         self.declare_parameter('target', Parameter.Type.DOUBLE)
 
 
-class Mute(Node):
-    """Offers no parameter services."""
-
-    def __init__(self):
-        super().__init__('mute', start_parameter_services=False)
-
-
 OWN = {'use_sim_time': False, 'start_type_description_service': True}
 
 
@@ -50,7 +43,8 @@ def test_all_values_of_those_that_are_named_or_of_every_node_but_the_hidden_ones
 
 def test_who_does_not_answer_is_named_and_keeps_nobody(ros, silent):
     arm = ros.add(Arm)
-    snapshot = all_parameters([arm, silent, ros.add(Mute), '/gone'], timeout_sec=1.0)
+    mute = ros.add(Node, 'mute', start_parameter_services=False)
+    snapshot = all_parameters([arm, silent, mute, '/gone'], timeout_sec=1.0)
     assert list(snapshot) == ['/left/arm']
     assert {node: type(error) for node, error in snapshot.unanswered.items()} == {
         '/silent': NoAnswerError, '/gone': NodeNotFoundError, '/mute': NoServiceError}

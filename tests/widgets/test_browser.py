@@ -100,14 +100,7 @@ def test_the_panel_of_a_node_that_has_gone_can_still_be_shut(ros, shown):
 def test_a_node_that_hangs_keeps_no_other_one_waiting(ros):
     gate = ros.add(Gate)
     ros.add(Fan)
-
-    class Silent(Node):
-        """A node without parameter services."""
-
-        def __init__(self):
-            super().__init__('silent', start_parameter_services=False)
-
-    ros.add(Silent)
+    ros.add(Node, 'silent', start_parameter_services=False)
     browser = ParameterPanel(timeout_sec=0.5)
     wait_until(lambda: says(browser).get('/fan') == '4 parameters', 'the other one')
     wait_until(lambda: lines(browser)['/silent']['is_bad'], 'the silent one to be given up')

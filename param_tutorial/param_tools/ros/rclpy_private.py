@@ -99,14 +99,9 @@ def keep_type_description_service(node: Node) -> Callable[[], None]:
     def end() -> None:
         impl = kept.pop()
         with contextlib.suppress(InvalidHandle), impl:  # rclpy in Python has ended it with its node
-            _rcl().rcl_service_fini(ctypes.c_void_p(impl.pointer), ctypes.c_void_p(pointer_to_node))
+            # The library in C on which rclpy stands, and which it has loaded.
+            ctypes.CDLL('librcl.so').rcl_service_fini(ctypes.c_void_p(impl.pointer), ctypes.c_void_p(pointer_to_node))
     return end
-
-
-@functools.cache
-def _rcl() -> ctypes.CDLL:
-    """Return the library in C on which rclpy stands, and which it has loaded."""
-    return ctypes.CDLL('librcl.so')
 
 
 # -- processes ----------------------------------------------------------------------------------------------------
