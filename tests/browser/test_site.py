@@ -707,8 +707,8 @@ def test_the_same_site_in_firefox(made, tmp_path):
 
         show('2_robot.html')
         page.click('.live-margin .robot-drive')
-        page.wait_for("document.querySelector('.robot-word').textContent === 'DRIVING'")
-        page.wait_for("document.querySelector('.robot-says').textContent.includes('The robot stands')")
+        page.wait_for("document.querySelector('.live-margin .robot-word').textContent === 'DRIVING'")
+        page.wait_for("document.querySelector('.live-margin .robot-says').textContent.includes('The robot stands')")
         show('1_limits.html')
         page.click('.lesson-prediction input[type=radio]')
         page.click('.lesson-prediction .param-predict-commit')

@@ -26,6 +26,8 @@ export class Margin {
   /** Of the section in sight. @type {Element | undefined} */
   heading;
   isDue = false;
+  /** True if the last line of the log has not come to its end. */
+  isInLine = false;
   strip = make('button', {type: 'button', className: 'live-strip', hidden: true});
   body = make('div');
   log = make('ol', {className: 'live-log', tabIndex: 0, hidden: true});
@@ -125,7 +127,8 @@ export class Margin {
       element.style.minHeight = '';
     }
     // Nothing in the text moves.
-    if (!WIDE.matches) for (const {element} of views) element.style.minHeight = `${element.offsetHeight}px`;
+    if (!WIDE.matches)
+      for (const {element} of views) element.style.minHeight = `${element.getBoundingClientRect().height}px`;
     this.body.append(...views.map(({inner}) => inner));
     this.shown = views;
   }
@@ -133,12 +136,16 @@ export class Margin {
   /**
    * Add to the log.
    * @param {number} time_ms Since 1970.
-   * @param {string} text
+   * @param {string} text Lines, or a part of one that the next text goes on with.
    */
   say(time_ms, text) {
-    const time = new Date(time_ms).toLocaleTimeString('en-GB');
     const {scrollTop, clientHeight, scrollHeight} = this.log;
-    for (const line of text.trimEnd().split('\n')) this.log.append(make('li', {}, make('time', {}, time), ` ${line}`));
+    for (const line of text.split(/(?<=\n)/)) {
+      const time = make('time', {}, new Date(time_ms).toLocaleTimeString('en-GB'));
+      if (!this.isInLine) this.log.append(make('li', {}, time, ' '));
+      this.log.lastChild?.appendChild(new Text(line.replace(/\n$/, '')));
+      this.isInLine = !line.endsWith('\n');
+    }
     while (this.log.childElementCount > MAX_LINES) this.log.firstChild?.remove();
     this.log.hidden = false;
     // Who reads an earlier line goes on reading it.

@@ -292,7 +292,7 @@ export class Page {
     if (said.is === 'begin' && cell) cell.isRunning = true;
     if (said.is === 'begin') this.timer = setTimeout(() => this.offerStop(), PATIENCE_MS);
     if (said.is === 'widget') this.hearOfWidget(said);
-    else if (said.is === 'log') this.margin.say(said.time_ms, said.text);
+    else if (said.is === 'log') this.margin.say(said.time_ms, `${said.text}\n`);
     else if (said.is === 'update') this.replace(said);
     else if (said.is === 'files') keepFiles(said.changes);
     else if (said.is === 'solved') this.keepSolved(said.numbers);
