@@ -36,6 +36,7 @@ export function makeEditor(code, onChange, onRun) {
     doc: code,
     extensions: [
       lineNumbers(),
+      EditorView.lineWrapping,
       history(),
       indentOnInput(),
       indentUnit.of('    '),

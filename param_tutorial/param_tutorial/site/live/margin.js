@@ -158,8 +158,9 @@ function isBelow(one, other) {
   return Boolean(other.compareDocumentPosition(one) & Node.DOCUMENT_POSITION_FOLLOWING);
 }
 
-/** Return the names of the nodes that a view shows. @param {View} view */
+/** Return the names of the nodes that a view shows, or what else it is. @param {View} view */
 function nodesOf({handles, inner}) {
+  const named = [...handles.values()].map(handle => handle.get('nodes')).find(Boolean);
   const names = all(inner, '.param-node').map(each => each.textContent);
-  return [...handles.values()].map(handle => handle.get('nodes')).find(Boolean) ?? (names.join(' and ') || 'the robot');
+  return named ?? (names.join(' and ') || (inner.querySelector('.param-panel') ? 'parameters' : 'the robot'));
 }
