@@ -205,6 +205,7 @@ def run(cell):
 
 @limits
 def test_what_is_typed_or_slid_is_answered_by_the_node_in_the_page(page):
+    expect(row(page, 'low_c').get_by_text('A limit.')).to_be_visible()
     # Typed before there is a node, it waits for one; everything stands on the page meanwhile.
     expect(box(page, 'low_c')).to_have_value('18')  # as the cell left it, and not as a later one did
     page.keyboard.press('PageDown')

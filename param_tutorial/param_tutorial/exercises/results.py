@@ -83,7 +83,7 @@ class Result(Answer):
         items = ''.join(map(markup, self.findings))
         return (f'{STYLE}<div class="param-check"><p><b>{self.heading}</b>, {self.score}</p>'
                 f'{self.picture}<ul class="param-findings">{items}</ul><p>{with_code(self.text)}</p>'
-                + (f'<div class="param-help">{self.help}</div>' if self.help else '') + '</div>')
+                + (f'<div class="param-hints">{self.help}</div>' if self.help else '') + '</div>')
 
 
 def anchor(heading: str) -> str:

@@ -29,8 +29,8 @@ ${RESTARTED} > * { filter: grayscale(1); opacity: 0.55; pointer-events: none; in
 :is(.jp-RenderedHTML, .param-check) > svg[width="500"] { max-width: 100% !important; min-width: 356px; }
 .jp-RenderedMarkdown { max-width: 60em; }
 .jp-OutputArea-output pre { word-break: normal !important; overflow-wrap: anywhere; text-indent: 4ch hanging each-line; }
-.param-help { margin-top: 8px; }
-.param-help summary { width: fit-content; margin: 8px 0; padding: 2px 12px; border: 1px solid var(--jp-border-color1);
+.param-hints { margin-top: 8px; }
+.param-hints summary { width: fit-content; margin: 8px 0; padding: 2px 12px; border: 1px solid var(--jp-border-color1);
   border-radius: 4px; background: var(--jp-layout-color2); cursor: pointer; list-style: none; }
 .jp-DirListing-item:is([title^='Name: solutions\\a '], [title^='Name: images\\a ']) { display: none; }
 @media print { ${RESTARTED}::before, ${REOPENED}::before { content: none !important; } }
