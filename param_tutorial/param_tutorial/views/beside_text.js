@@ -1,9 +1,9 @@
-/* In JupyterLab, two views beside the text that is about them: in sight, and once, whatever cells show them again.
+/* In JupyterLab, views beside the text that is about them: in sight, and once, whatever cells show them again.
 
-   Each `SideBySide` offers its views. They belong to the section of their cell, up to the next heading `## …`, and to each
-   later section whose heading's cell has the tag `stage`, until others do. Beside other text they fold to a strip, which a click unfolds. Where JupyterLab
-   has no room, and everywhere else, the views stand in the cells. Each widget has a copy of this script, so what they share
-   is kept with the notebook's element. */
+   Each `SideBySide` offers its views, and each `RobotPicture` itself. They belong to the section of their cell, up to the
+   next heading `## …`, and to each later section whose heading's cell has the tag `stage`, until others do. Beside other text
+   they fold to a strip, which a click unfolds. Where JupyterLab has no room, and everywhere else, the views stand in the
+   cells. Each widget has a copy of this script, so what they share is kept with the notebook's element. */
 
 import {make, one} from '../../param_tools/panel/dom.js';
 import {initialize} from '../../param_tools/panel/front.js';

@@ -4,19 +4,18 @@ import ipywidgets as widgets
 import traitlets
 
 from param_tools.markup.scripts import bundle
-from param_tools.markup.styles import style
+from param_tools.markup.styles import sheet
 from param_tools.panel.close_with_cell import close_looks, close_with_cell
 from param_tools.panel.front import Front
 from param_tools.panel.view import View
 
-_STYLE = style('param_tutorial/views/side_by_side.css')
 
-
-class _Offer(Front):
+class Offer(Front):
     """What a notebook's page puts beside the text."""
 
     _esm = bundle('param_tutorial/views/beside_text.js')
-    box = traitlets.Instance(widgets.HBox).tag(sync=True, **widgets.widget_serialization)
+    _css = sheet('param_tutorial/views/side_by_side.css')
+    box = traitlets.Instance(widgets.Box).tag(sync=True, **widgets.widget_serialization)
     views = traitlets.Unicode().tag(sync=True)
     """Which ones are in the box."""
     nodes = traitlets.Unicode().tag(sync=True)
@@ -44,10 +43,9 @@ class SideBySide(widgets.VBox):
         self.parts: tuple[View, ...] = (picture, panel)
         self._box = widgets.HBox(self.parts)
         self._box.add_class('side-by-side-parts')
-        self._style = widgets.HTML(_STYLE)
-        self._offer = _Offer(box=self._box, views=' '.join(part.model_id for part in self.parts),
-                             nodes=' and '.join(dict.fromkeys(part.node for part in self.parts)))
-        super().__init__([self._style, self._offer, self._box])
+        self._offer = Offer(box=self._box, views=' '.join(part.model_id for part in self.parts),
+                            nodes=' and '.join(dict.fromkeys(part.node for part in self.parts)))
+        super().__init__([self._offer, self._box])
         self._offer.shown = self.model_id
         self.add_class('side-by-side')
         self._stop_watching = [part.on_close(self._drop) for part in self.parts]
@@ -64,7 +62,7 @@ class SideBySide(widgets.VBox):
         for stop in self._stop_watching:
             stop()
         self._box.children = self.children = ()
-        for widget in (self._style, self._offer, self._box):
+        for widget in (self._offer, self._box):
             widget.close()
             close_looks(widget)
         super().close()
