@@ -52,7 +52,8 @@ export class Margin {
 
   /** Let a view stand here if it is of a kind that does. @param {View} view */
   take(view) {
-    if (!view.inner.querySelector(BESIDE)) return;
+    // The first page is no lesson, and has no room beside its text.
+    if (!document.querySelector('.lesson') || !view.inner.querySelector(BESIDE)) return;
     const button = make('button', {type: 'button', className: 'live-to-margin'}, 'Beside the text →');
     button.addEventListener('click', () => this.goTo(view));
     view.element.classList.add('live-home');
