@@ -301,7 +301,7 @@ export class Page {
     else if (cell && said.is === 'ran') this.end(cell);
   }
 
-  /** Offer to end a cell that may never end by itself; what the reader set and typed is there again afterward. */
+  /** Offer to end a cell that may never end by itself; what the reader typed is there again afterward. */
   offerStop() {
     const stop = make('button', {type: 'button'}, 'Stop it, and load the page again');
     stop.addEventListener('click', () => location.reload());
