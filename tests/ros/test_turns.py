@@ -42,6 +42,14 @@ def test_asyncio_gives_turns_between_the_cells():
                'asyncio.run(between())') == 'ended\n'
 
 
+def test_what_comes_of_a_callback_is_done_in_the_same_turn():
+    # Or a robot would brake a turn late for each message between its sensor and its motors.
+    assert run('done = []\n'
+               'host.settle()\n'
+               'ros.create_task(lambda: ros.create_task(lambda: done.append(time)))\n'
+               'host.turn()\nprint(len(done))') == '1\n'
+
+
 def test_an_endless_loop_in_a_callback_is_ended_and_the_stage_goes_on():
     said = run('import sys\nsys.stderr = sys.stdout\n'
                'def loop():\n'

@@ -53,11 +53,16 @@ class TurnLoop:
         if self._current or not self._began:
             return False
         self._current = True
-        was_due = False
+        was_due = found = False
         try:
             with self._turns.within(self._program):
                 end = time.monotonic() + _TURN_SEC
-                while not self._is_over() and self._step(0.0) and time.monotonic() < end:
+                while not self._is_over() and time.monotonic() < end:
+                    # A wait of no time finds nothing also after it has handed out all that was due. What came of that,
+                    # such as a message that a timer has sent, must not wait for the next turn.
+                    before, found = found, self._step(0.0)
+                    if not (found or before):
+                        break
                     was_due = True
         finally:
             self._current = False
@@ -148,8 +153,9 @@ class Turns:
     async def pump(self) -> None:
         """Give turns for as long as there is a loop; between the cells, asyncio runs this."""
         while self._loops:
+            began = time.monotonic()
             self.turn()
-            await asyncio.sleep(_PUMP_PERIOD_SEC)
+            await asyncio.sleep(max(0.0, began + _PUMP_PERIOD_SEC - time.monotonic()))
 
 
 def install() -> Turns:
