@@ -48,3 +48,15 @@ def test_what_a_page_can_not_do_is_said_with_the_reason(run):
 def test_input_says_what_to_do_without_it(run):
     (said, _), = run("try:\n    input('Speed? ')\nexcept NotImplementedError as error:\n    print(error)")
     assert said == "input() can't ask in a web page: write the answer into the cell, e.g. answer = 'yes'\n"
+
+
+def test_a_traceback_shows_the_lines_of_the_one_who_wrote_them(run):
+    (_, of_callback), (of_program, _) = run(
+        "import param_tutorial, time\nros = param_tutorial.start()\nfrom rclpy.node import Node\n"
+        "def tick():\n    timer.cancel()\n    1 / 0\n"
+        "timer = ros.add(Node, 'ticker').create_timer(0.01, tick)\ntime.sleep(1)",
+        "from pathlib import Path\nPath('broken.py').write_text('1 / 0')\n"
+        "print(param_tutorial.Terminal('python3 broken.py').read('ZeroDivisionError'))")
+    for said in (of_callback, of_program):
+        assert 'ZeroDivisionError' in said
+        assert said.count('File "') == 1

@@ -54,7 +54,6 @@ INTERRUPT_TIMEOUT_SEC = 3.0
 _BUSY_SEC = 2.0
 # How long a caller that needs the thread waits at least, even if a callback has kept it for long already.
 _LEAST_PATIENCE_SEC = 0.3
-_PLUMBING = (__file__, executors.__file__, task.__file__, interrupts.__file__)
 _KINDS = {Timer: 'timer', Subscription: 'subscription', Service: 'service', Client: 'client'}
 
 T = TypeVar('T')
@@ -122,6 +121,11 @@ def _line_of(error: BaseException) -> tuple[str, int]:
     while step is not None and step.tb_next is not None:
         step = step.tb_next
     return ('', 0) if step is None else (step.tb_frame.f_code.co_filename, step.tb_lineno)
+
+
+# In a page a module without its source has another __file__ than its lines.
+_PLUMBING = (function_name.__code__.co_filename, executors.__file__, task.__file__,
+             interrupts.raise_in.__code__.co_filename)
 
 
 def _describe(error: BaseException) -> str:

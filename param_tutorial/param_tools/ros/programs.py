@@ -207,7 +207,7 @@ def _ignore(*_: object) -> None:
 
 def _own_part(step: types.TracebackType | None) -> types.TracebackType | None:
     """Return the part of a traceback that is about the program, and not about how it is run."""
-    while step is not None and step.tb_next is not None and step.tb_frame.f_code.co_filename == __file__:
+    while step is not None and step.tb_next is not None and step.tb_frame.f_code.co_filename == _own_part.__code__.co_filename:
         step = step.tb_next
     return step
 
