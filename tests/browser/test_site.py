@@ -92,6 +92,8 @@ ROBOT = (
     "                        '<svg viewBox=\"0 0 720 60\" style=\"min-width: 690px\">'\n"
     "                        '<text x=\"100\" y=\"30\">the first</text></svg></div>')\nscene",
     "scene.value = scene.value.replace('first', 'second')",
+    'A slider of somebody else:',
+    "ipywidgets.IntSlider(5, description='gain')",
     'A text with a shape, and a sentence:',
     "print('/heater:\\n  ros__parameters:\\n    label: ' + 'a long name ' * 9)",
     "print('A sentence goes on' + ' and on' * 20)",
@@ -250,7 +252,8 @@ def test_a_cell_is_edited_and_run_and_kept(page):
     expect(cell.get_by_role('button', name='Run this cell')).to_be_focused()
     wait_for_the_node(page)
     expect(box(page, 'power_w')).to_have_value('120')
-    editor.fill('1 / 0')
+    editor.fill('')
+    editor.press_sequentially('1 / 0')
     run(cell)
     expect(cell.locator('.cell_output')).to_contain_text('ZeroDivisionError')
     page.reload()
@@ -366,6 +369,12 @@ def test_a_cell_shows_what_jupyter_shows(page):
     out.get_by_role('slider').fill('9')
     expect(out.get_by_role('slider')).to_have_value('7')
     expect(out.get_by_role('status')).to_have_text('7')
+
+
+@robot
+def test_a_slider_has_its_name_before_its_cell_runs(page):
+    expect(page.get_by_role('slider', name='gain', exact=True)).to_be_visible()
+    assert page.get_by_text('undefined').count() == 0
 
 
 @limits

@@ -49,6 +49,8 @@ export function makeEditor(code, onChange, onRun) {
         ...historyKeymap,
         indentWithTab,
       ]),
+      // Sphinx takes this key for its search, but in boxes.
+      EditorView.domEventHandlers({keydown: event => (event.key === '/' ? event.stopPropagation() : undefined)}),
       EditorView.updateListener.of(update => update.docChanged && onChange(update.state.doc.toString())),
       EditorView.editorAttributes.of({class: 'highlight'}),
       EditorView.contentAttributes.of({

@@ -28,8 +28,8 @@ EXPLAINED = {
     '09_from_ros1': {"ros.add(Gripper, ros_args=['--params-file', 'old.yaml'])": "rcl's error names its own C files"},
 }
 _KEPT = {'_dom_classes', '_model_name', '_esm', '_css'}
-_DROPPED = {'layout', 'style', 'tabbable', 'tooltip', 'box_style', 'description', 'description_allow_html',
-            'placeholder', 'own_id'}
+_DROPPED = {'layout', 'style', 'tabbable', 'tooltip', 'box_style', 'description_allow_html', 'placeholder',
+            'own_id'}
 _SHARED = ('_esm', '_css')
 
 
