@@ -207,7 +207,8 @@ def _ignore(*_: object) -> None:
 
 def _own_part(step: types.TracebackType | None) -> types.TracebackType | None:
     """Return the part of a traceback that is about the program, and not about how it is run."""
-    while step is not None and step.tb_next is not None and step.tb_frame.f_code.co_filename == _own_part.__code__.co_filename:
+    here = _own_part.__code__.co_filename  # __file__ differs where a module comes without its source
+    while step is not None and step.tb_next is not None and step.tb_frame.f_code.co_filename == here:
         step = step.tb_next
     return step
 
