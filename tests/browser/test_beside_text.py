@@ -120,17 +120,25 @@ def test_shift_enter_beside_the_text_runs_the_cell_of_the_notebook(page):
 def test_a_reader_puts_it_into_the_cell_and_back(page):
     page.run_cell(OTHER)
     expect(beside(page).get_by_label('stop_distance_m', exact=True)).to_be_visible()
-    beside(page).get_by_role('button', name='Put into the cell').click()
+    beside(page).get_by_role('button', name='Show in the cell').click()
     expect(strip(page)).to_be_focused()
     expect(page.page.locator('.jp-OutputArea-output .robot-view:visible').first).to_be_visible()
     page.select_cell(SETTINGS)
-    page.page.get_by_role('button', name='Put beside the text').first.click()
+    page.page.get_by_role('button', name='Show at the right').first.click()
     expect(beside(page)).to_be_focused()
     expect(beside(page).get_by_label('max_speed_mps', exact=True)).to_be_visible()
 
 
+def test_it_is_beside_the_cell_that_has_just_run_whatever_comes_below(page):
+    change = 'end => { jupyterapp.shell.currentWidget.content.widgets.at(-1).model.sharedModel.source = end; }'
+    page.page.evaluate(change, '## The end')
+    page.run_cell(OTHER)
+    expect(beside(page).get_by_label('stop_distance_m', exact=True)).to_be_visible()
+    page.page.evaluate(change, CELLS[-1])
+
+
 @pytest.mark.parametrize(('chapter', 'breaks'), [('01_what_are_parameters.ipynb', False), ('03_declaring.ipynb', True)])
-def test_no_line_of_code_is_cut_at_1280_px(tmp_path, browser, chapter, breaks):
+def test_no_line_of_code_is_cut_at_1280_px_and_a_reload_keeps_the_stage(tmp_path, browser, chapter, breaks):
     """In JupyterLab's own font of 13 px, beside what a cell shows side by side, and the robot of a package."""
     with CourseLab(tmp_path / 'lab', [ROOT / 'notebooks' / chapter]) as lab:
         page = LabPage(lab, browser, chapter, 'lab')
@@ -143,3 +151,6 @@ def test_no_line_of_code_is_cut_at_1280_px(tmp_path, browser, chapter, breaks):
         page.command('filebrowser:toggle-main')
         expect(page.page.locator('.jp-DirListing')).to_be_visible()
         assert page.page.evaluate(CUT_AND_WRAPPED)['cut'] == []
+        # JupyterLab puts most of the cells onto the page later.
+        page.reload()
+        expect(beside(page).locator('.track-scene')).to_be_visible()

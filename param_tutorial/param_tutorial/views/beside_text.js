@@ -54,7 +54,9 @@ class Place {
     this.notebook = widget.content;
     this.text = one(this.panel, '.jp-WindowedPanel-outer');
     this.element.setAttribute('aria-label', 'Beside the text');
-    const back = make('button', {type: 'button', className: 'beside-button'}, 'Put into the cell');
+    const back = make('button', {type: 'button', className: 'beside-button'}, 'Show in the cell');
+    back.title = 'Show the views in the notebook, below the cell that made them';
+    this.strip.title = 'Show the views here, beside the text';
     back.addEventListener('click', () => this.want(undefined));
     this.strip.addEventListener('click', () => this.want(this.nearest().offer));
     // Before JupyterLab hears it, which would go back to the cell that it knows as active, and stay there.
@@ -90,23 +92,25 @@ class Place {
     this.timer = setTimeout(() => this.show(), afterMs);
   }
 
-  /** Return the cell in sight: the active one may be lower, when it has just run. */
+  /** Return the cell in sight: the active one, if it is about an offer, or else the last of the text. */
   cellInSight() {
     const {top, height, bottom} = this.text.getBoundingClientRect();
-    const tops = this.notebook.widgets.map((/** @type {any} */ cell) => cell.node.getBoundingClientRect().top);
-    const active = this.notebook.activeCellIndex;
-    return Math.max(
-      tops.findLastIndex((/** @type {number} */ each) => each <= top + IN_SIGHT * height),
-      tops[active] < bottom ? active : -1,
+    // After a reload, JupyterLab puts most of the cells onto the page later.
+    const tops = this.notebook.widgets.map((/** @type {any} */ {node}) =>
+      node.offsetParent ? node.getBoundingClientRect().top : Infinity,
     );
+    const active = this.notebook.activeCellIndex;
+    const isSeen = tops[active] < bottom && this.notebook.widgets[active].node.getBoundingClientRect().bottom > top;
+    if (isSeen && this.nearest(active).isAbout) return active;
+    return tops.findLastIndex((/** @type {number} */ each) => each <= top + IN_SIGHT * height);
   }
 
   /** Return the offer of the nearest cell above the text in sight, and whether that text is about it. */
-  nearest() {
+  nearest(index = this.cellInSight()) {
     const all = [...this.offers];
     /** @type {boolean | undefined} */
     let isStage;
-    for (let index = this.cellInSight(); index >= 0; index--) {
+    for (; index >= 0; index--) {
       const {model} = this.notebook.widgets[index];
       const outputs = Array.from({length: model.outputs?.length ?? 0}, (_, at) => model.outputs.get(at).data);
       const ids = outputs.map(data => data['application/vnd.jupyter.widget-view+json']?.model_id);
@@ -136,7 +140,7 @@ class Place {
     for (const {cells, views} of this.offers) {
       for (const cell of cells) {
         cell.toggleAttribute('data-is-beside', hasRoom && this.isWanted);
-        one(cell, 'button').textContent = views === wanted?.views ? 'Beside the text →' : 'Put beside the text';
+        one(cell, 'button').textContent = views === wanted?.views ? 'Shown at the right →' : 'Show at the right →';
         cell.toggleAttribute('data-has-room', hasRoom);
       }
     }
@@ -212,7 +216,7 @@ function render({model, el}) {
   const offer = offers.get(model.get('own_id'));
   if (!offer) return;
   const cell = /** @type {HTMLElement} */ (el);
-  const button = make('button', {type: 'button', className: 'beside-button'});
+  const button = make('button', {type: 'button', className: 'beside-button', title: 'They stay in sight there'});
   cell.classList.add('beside-offer');
   cell.append(button);
   button.addEventListener('click', () => offer.place?.want(offer));
