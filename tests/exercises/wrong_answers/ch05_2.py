@@ -30,6 +30,7 @@ _KEEPS = [('        command = Twist()\n', '        command = Twist()\n        se
 WRONG = {
     '5.2a': [
         ([(_REGISTER, '')], 0, 'No callback of yours is asked'),
+        ([('stop_distance_m', 'stop_m')], 0, 'the node lacks one'),
         # Judges the value alone, or holds it against the default of the other one.
         ([(_STOP, '0.5')], 0, 'What counts for the other value is what is stored'),
         # Ignores the other value of the same request.

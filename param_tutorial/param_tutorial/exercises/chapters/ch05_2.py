@@ -25,6 +25,7 @@ from param_tutorial.exercises.expectations import (
 from param_tutorial.exercises.steps import DRIVER, Bench, expect_commands, expect_speed
 from param_tutorial.exercises.trial import (
     NoStart,
+    NotTried,
     NotYet,
     NoUse,
     Trial,
@@ -77,7 +78,10 @@ def start_driver(trial: Trial, start: Mapping[str, float] | None = None, *,
             raise
         raise NoStart(error.expected, f'{error.happened}. The declarations come first: a callback that is '
                       'registered before them is asked about each of them') from None
-    take_type_for_granted(trial.client(driver), DOUBLE, SPEED, STOP)
+    try:
+        take_type_for_granted(trial.client(driver), DOUBLE, SPEED, STOP)
+    except NotTried:
+        raise NoUse(f'doubles `{SPEED}` and `{STOP}`, as chapter 4 declares them', 'the node lacks one') from None
     return driver
 
 
