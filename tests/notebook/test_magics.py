@@ -3,6 +3,7 @@
 import os
 import subprocess
 import textwrap
+import warnings
 
 import pytest
 from IPython.utils.capture import capture_output
@@ -143,3 +144,12 @@ def test_a_cell_reads_only_what_was_logged_since_it_began(shell, ros):
     with capture_output() as captured:
         shell.run_cell("node.get_logger().info('in the cell')\nprint(ros.node_log.read(until='in the cell'))")
     assert captured.stdout == '[INFO] [simple_param_node]: in the cell\n'
+
+
+def test_a_client_that_has_gone_says_nothing_in_the_cell_that_runs(cell):
+    words = 'failed to send response (timeout): client will not receive response'
+    with warnings.catch_warnings(record=True) as seen:
+        warnings.simplefilter('always')
+        cell(f'%reload_ext param_tutorial\nimport warnings\nfor each in ("{words}", "another"):\n'
+             '    warnings.warn(each, RuntimeWarning)')
+    assert [str(each.message) for each in seen] == ['another']

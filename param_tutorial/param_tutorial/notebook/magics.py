@@ -8,6 +8,7 @@ import html
 import re
 import shlex
 import sys
+import warnings
 from collections.abc import Sequence
 from contextlib import ExitStack, suppress
 from pathlib import Path
@@ -41,6 +42,8 @@ def load_ipython_extension(ipython: InteractiveShell) -> None:
     ipython.register_magics(known or Ros2Magics)
     ipython.user_ns.update(exit=_NoExit(), quit=_NoExit())
     ipython.InteractiveTB.set_mode('Minimal')
+    # A client that has only just come, or has gone, is no affair of the cell that runs.
+    warnings.filterwarnings('ignore', 'failed to send response', RuntimeWarning)
     ipython.events.register('pre_run_cell', _before_cell)
     if _await_shell not in ipython.input_transformers_post:
         ipython.input_transformers_post.append(_await_shell)
