@@ -30,8 +30,9 @@ CUT_AND_WRAPPED = """async () => {
     const found = {cut: [], wrapped: []};
     for (const cell of jupyterapp.shell.currentWidget.content.widgets.filter(each => each.model.type === 'code')) {
         cell.node.scrollIntoView();
-        await new Promise(done => setTimeout(done, 50));
-        const scroller = cell.node.querySelector('.cm-scroller');
+        let scroller;
+        do await new Promise(done => setTimeout(done, 50));
+        while (!(scroller = cell.node.querySelector('.cm-scroller')));
         if (scroller.scrollWidth > scroller.clientWidth + 1) found.cut.push(cell.model.sharedModel.source);
         for (const line of cell.node.querySelectorAll('.cm-line')) {
             const rows = line.offsetHeight / parseFloat(getComputedStyle(line).lineHeight);
