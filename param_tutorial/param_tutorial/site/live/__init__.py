@@ -24,14 +24,15 @@ for the site.
 - ``worker.js`` begins Pyodide and is the kernel's thread. Reading is never held up. It is a classic worker, for
   Chromium lets a page on a disk have no worker that is a module.
 - ``page.js`` knows the cells. The kernel begins when something is touched, edited or run. What is touched first may
-  be in the middle: the cells above run then, as "Run All Above" does, with what the reader has typed into them. A cell's outputs are drawn anew only if their digest isn't the one noted at the build.
+  be in the middle: the cells above run then, as "Run All Above" does, with what the reader has typed into them. A
+  cell's outputs are drawn anew only if their digest isn't the one noted at the build.
 
 **A view is one thing from the first picture on** (``widgets.js``). The front ends of JupyterLab (anywidget's
 `render({model, el})`) draw the noted states at once. What a hand does before the kernel has the widget waits in the
 view's handle; when its cell has run, the same handles become the kernel's widgets, and what waits is told to them.
 Nothing is drawn twice, and a drag goes on under the hand. In a wide window robots and panels stand beside the section
-that is about them (``margin.js``), and their places in the text have a button. Of ipywidgets themselves only boxes and HTML are needed:
-the predictions, which use others, are forms of the page.
+that is about them (``margin.js``), and their places in the text have a button. Of ipywidgets themselves boxes, HTML and
+sliders are drawn: the predictions, which use others, are forms of the page.
 
 **What the reader types is kept** in the browser (``kept_code.js``), and so is what is solved and predicted
 (``scripts/progress.js``); the kernel gets that as the file that the course keeps in a checkout. Values that are set are
