@@ -21,8 +21,9 @@ for the site.
 - ``kernel.js`` runs cells and says what they put out and what becomes of their widgets. Widgets go by names such as
   ``cell-04/1/10`` (cell, run, number) in place of random ids, so that the states noted at the build and those of the
   reader's kernel are about the same widgets.
-- ``worker.js`` begins Pyodide and is the kernel's thread. Reading is never held up. It is a classic worker, for
-  Chromium lets a page on a disk have no worker that is a module.
+- ``worker.js`` begins Pyodide and is the kernel's thread. Before that another worker of this script unpacks, and its
+  memory is free when it ends. Reading is never held up. Both are classic workers, for Chromium lets a page on a disk
+  have no worker that is a module.
 - ``page.js`` knows the cells. The kernel begins when something is touched, edited or run. What is touched first may
   be in the middle: the cells above run then, as "Run All Above" does, with what the reader has typed into them. A
   cell's outputs are drawn anew only if their digest isn't the one noted at the build.

@@ -80,7 +80,7 @@ export function install(python, packages) {
   for (const [name, content] of Object.entries(filesIn(packages))) {
     const path = name.startsWith('/') ? name : SITE + name;
     python.FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
-    python.FS.writeFile(path, content);
+    python.FS.writeFile(path, content, {canOwn: true});
   }
 }
 

@@ -168,16 +168,21 @@ export class Page {
     const address = URL.createObjectURL(new Blob([code], {type: 'text/javascript'}));
     this.worker = new Worker(address);
     this.worker.addEventListener('message', ({data}) => this.hear(data));
-    this.worker.addEventListener('error', event => this.die(event.message));
+    const unpacker = new Worker(address);
+    for (const each of [this.worker, unpacker]) each.addEventListener('error', event => this.die(event.message));
     try {
       await loadLater('python.js');
     } catch (error) {
       this.die(String(error));
       return;
     }
-    const files = await keptFiles();
-    this.worker.postMessage({python: /** @type {any} */ (self).lessonPython, progress: progressFile(), files});
+    this.hear({is: 'step'});
+    const packed = new TextEncoder().encode(/** @type {any} */ (self).lessonPython.toString().slice(9, -2));
     delete (/** @type {any} */ (self).lessonPython);
+    unpacker.postMessage({packed}, [packed.buffer]);
+    const {data} = await new Promise(resolve => unpacker.addEventListener('message', resolve));
+    unpacker.terminate();
+    this.worker.postMessage({...data, progress: progressFile(), files: await keptFiles()}, data.buffers);
   }
 
   /** @param {string} why */

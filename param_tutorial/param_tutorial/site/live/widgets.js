@@ -23,6 +23,8 @@ export class Handle {
   waiting = [];
   /** @type {Set<string>} */
   changed = new Set();
+  /** What was cleaned last, and what came of it: a front end may ask for the same at each step. @type {Map<string, string[]>} */
+  cleaned = new Map();
   // For front.js, whose anywidget may be slow to load; here it is not.
   widget_manager = {get_model: async () => this};
   _handle_comm_msg = async () => {};
@@ -40,7 +42,10 @@ export class Handle {
 
   /** @param {string} key */
   get(key) {
-    return HTML.has(key) ? clean(this.state[key]) : this.state[key];
+    const value = this.state[key];
+    if (!HTML.has(key)) return value;
+    if (this.cleaned.get(key)?.[0] !== value) this.cleaned.set(key, [value, clean(value)]);
+    return this.cleaned.get(key)?.[1];
   }
 
   /** @param {string} key @param {any} value */
