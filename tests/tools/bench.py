@@ -95,41 +95,6 @@ for number in range(1, TRIALS + 21):
 result = {name: statistics.median(each) for name, each in seconds.items()}
 '''
 
-COMMAND = '''
-import subprocess, sys, time, statistics
-import param_tutorial
-from param_tutorial.nodes.simple_param_node import SimpleParamNode
-from IPython.utils.capture import capture_output
-
-executor = param_tutorial.start()
-executor.add(SimpleParamNode)
-shell = get_ipython()
-shell.run_line_magic('load_ext', 'param_tutorial')
-words = 'param set /simple_param_node max_speed_rpm'
-
-def magic(number):
-    with capture_output() as captured:
-        start = time.perf_counter()
-        shell.run_line_magic('ros2', f'{words} {number}')
-        took = time.perf_counter() - start
-    assert 'Set parameter successful' in captured.stdout, captured.stdout
-    return took
-
-def process(number):
-    start = time.perf_counter()
-    done = subprocess.run([sys.executable, '-m', 'param_tutorial', *words.split(), str(number)],
-                          capture_output=True, text=True)
-    took = time.perf_counter() - start
-    assert 'Set parameter successful' in done.stdout, done.stdout + done.stderr
-    return took
-
-magics, processes = [], []
-for number in range(PROCESSES):
-    processes.append(process(number))
-    magics += [magic(each) for each in range(20)]
-result = {'magic': statistics.median(magics), 'process': statistics.median(processes)}
-'''
-
 END_KERNEL = '() => window.jupyterapp.shell.currentWidget.sessionContext.shutdown()'
 START_AND_RUN_ALL = """async () => {
     await window.jupyterapp.shell.currentWidget.sessionContext.changeKernel({name: 'python3'});
@@ -166,15 +131,6 @@ def latency(trials: int) -> list[Row]:
         ratio = took[way] / took['bare']
         rows.append(Row(words, f'{_ms(took[way])}, {ratio:.2f} times bare', 'at most 1.1 times', ratio <= 1.1))
     return rows
-
-
-def command(processes: int) -> list[Row]:
-    """Compare %ros2 with a new process."""
-    took = in_kernel(COMMAND.replace('PROCESSES', str(processes)))
-    ratio = took['process'] / took['magic']
-    return [Row('%ros2 param set in a kernel', _ms(took['magic'])),
-            Row('ros2 param set as a new process', _ms(took['process']), 'at most 0.5 s', took['process'] <= 0.5),
-            Row('%ros2 against a new process', f'{ratio:.0f} times faster', 'at least 100 times', ratio >= 100)]
 
 
 def first_panel(rounds: int) -> list[Row]:
@@ -219,8 +175,7 @@ def main() -> int:
     quick = parser.parse_args().quick
     print(f'{os.cpu_count()} cores, Python {platform.python_version()}, load {os.getloadavg()[0]:.1f}')
     is_met = True
-    for measure in (lambda: latency(100 if quick else 1000), lambda: command(3 if quick else 10),
-                    lambda: first_panel(1 if quick else 10)):
+    for measure in (lambda: latency(100 if quick else 1000), lambda: first_panel(1 if quick else 10)):
         for row in measure():
             is_met &= row.is_met
             print(f'{row.what:60} {row.figure:28} {row.bar:20} {"" if row.is_met else "NOT MET"}', flush=True)
