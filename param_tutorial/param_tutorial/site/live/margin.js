@@ -64,8 +64,9 @@ export class Margin {
   /** @param {View} view */
   goTo(view) {
     if (!this.shown.includes(view)) view.element.scrollIntoView({block: 'center'});
-    this.look();
+    // What was used before need not stay.
     this.element.focus();
+    this.look();
   }
 
   /** Show the views, or no longer. */
