@@ -533,7 +533,7 @@ def test_robot_and_panel_stand_beside_the_text_that_is_about_them_and_fold_besid
     expect(page.locator('.bd-article .robot-view:visible')).to_have_count(2)
     page.emulate_media(media='screen')
     page.evaluate("dispatchEvent(new Event('afterprint'))")
-    page.get_by_role('button', name='Beside the text').last.click()
+    page.get_by_role('button', name='Shown at the right').last.click()
     expect(view).to_be_in_viewport()
     assert violations(page, '.live-margin') == []
 

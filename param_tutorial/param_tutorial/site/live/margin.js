@@ -54,7 +54,7 @@ export class Margin {
   take(view) {
     // The first page is no lesson, and has no room beside its text.
     if (!document.querySelector('.lesson') || !view.inner.querySelector(BESIDE)) return;
-    const button = make('button', {type: 'button', className: 'live-to-margin'}, 'Beside the text →');
+    const button = make('button', {type: 'button', className: 'live-to-margin'}, 'Shown at the right →');
     button.addEventListener('click', () => this.goTo(view));
     view.element.classList.add('live-home');
     view.element.append(button);
