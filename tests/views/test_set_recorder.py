@@ -1,5 +1,7 @@
 """A change is recorded as rclpy makes it, and the recorder leaves no trace."""
 
+from functools import partial
+
 import pytest
 from rclpy.parameter import Parameter
 
@@ -21,6 +23,12 @@ def test_a_change_is_recorded_rung_by_rung(robot):
         ('event', 'speed = 300', '300'),
         ('post-set', 'act sees 300', '300'),
         ('answer', 'successful', '300')]
+
+
+def test_a_partial_has_the_name_of_its_function(robot):
+    robot.remove_post_set_parameters_callback(robot.act)
+    robot.add_post_set_parameters_callback(partial(robot.act))
+    assert record_set(robot, 'speed', 900).steps[-2].happened == 'act sees 300'
 
 
 @pytest.mark.parametrize(('name', 'value', 'last_callback', 'answer'), [

@@ -86,8 +86,8 @@ class Callback:
 
 
 def function_name(function: Callable[..., Any]) -> str:
-    """Return the name that a function's author gave it."""
-    return str(getattr(function, '__name__', type(function).__name__))
+    """Return the name that a function's author gave it, also if it is in a ``functools.partial``."""
+    return str(getattr(getattr(function, 'func', function), '__name__', type(function).__name__))
 
 
 @dataclass
