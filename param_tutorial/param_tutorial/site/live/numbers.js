@@ -9,28 +9,19 @@ import {all, followPointer, make} from '../../../param_tools/panel/dom.js';
 
 const PX_PER_STEP = 6;
 
-/** @typedef {(place: Element, code: string) => Promise<string>} Ask Runs code after all cells above a place; returns what it prints. */
+/** @typedef {import('./page.js').Page} Page */
 
-/**
- * Let the reader drag the numbers of a page.
- * @param {Ask} ask
- * @param {(place: Element) => void} change Is told where something was set, which makes the outputs below old.
- */
-export function letDrag(ask, change) {
-  for (const place of all(document, '[data-parameter]')) new Handle(place, ask, change);
+/** Let the reader drag the numbers of a page. @param {Page} page */
+export function letDrag(page) {
+  for (const place of all(document, '[data-parameter]')) new Handle(place, page);
 }
 
 class Handle {
-  /**
-   * @param {HTMLElement} place
-   * @param {Ask} ask
-   * @param {(place: Element) => void} change
-   */
-  constructor(place, ask, change) {
+  /** @param {HTMLElement} place @param {Page} page */
+  constructor(place, page) {
     const [node, name, low, high, step] = (place.dataset.parameter ?? '').split(' ');
     this.place = place;
-    this.ask = ask;
-    this.change = change;
+    this.page = page;
     this.node = node;
     this.name = name;
     this.low = Number(low);
@@ -99,14 +90,14 @@ class Handle {
     const value = this.value.toFixed(this.digits);
     if (Number(value) === this.held) return;
     this.say('asking the node …');
-    const said = await this.ask(
+    const said = await this.page.ask(
       this.place,
       `import param_tutorial\nprint(param_tutorial.ParameterClient('${this.node}').set_parameter('${this.name}', ${value}))`,
     );
     this.say(said.trim().split('\n').at(-1) ?? '');
     if (said.includes(' accepted ')) {
       this.held = Number(value);
-      this.change(this.place);
+      this.page.age(this.place);
     } else this.show(this.held);
   }
 }

@@ -442,10 +442,7 @@ export async function beginLive() {
   if (!facts) return;
   const live = new Page(JSON.parse(facts.textContent ?? ''));
   page = live;
-  letDrag(
-    (place, code) => live.ask(place, code),
-    place => live.age(place),
-  );
+  letDrag(live);
   const codes = await keptCode();
   for (const cell of live.cells) {
     if (cell.element?.querySelector('.cell_input')) letEdit(live, cell, codes[cell.facts.id]);
