@@ -208,7 +208,8 @@ class Trial:
             # Node.__init__ would have made the handle.
             is_bare = (isinstance(error, AttributeError) and isinstance(error.obj, Node)
                        and getattr(error.obj, 'handle', None) is None)
-            raise NoStart('a node that starts', f'its constructor did not finish. {describe_error(error)}' + (
+            said = describe_error(error)
+            raise NoStart('a node that starts', f'its constructor did not finish. {said[0].upper()}{said[1:]}' + (
                 '. Does `__init__` begin with `super().__init__(…)`?' if is_bare else '')) from None
         if isinstance(self.work, type) and issubclass(node_class, self.work):
             self.names.add(node.get_name())

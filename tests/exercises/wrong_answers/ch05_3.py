@@ -18,7 +18,7 @@ WRONG = {
         ([(ASK, ASK.replace('speed_mps', 'sped_mps'))], 1, 'IndexError: list index out of range'),
         ([(_CLIENT, 'pass')], 0, 'it creates none'),
         ([(f'        {_CLIENT}\n', f'        {_CLIENT}\n        self.driver.wait_for_services()\n')], 3,
-         'its constructor did not finish. it was still running after'),
+         'its constructor did not finish. It was still running after'),
         ([(ASK, _UNHEARD)], 3, 'it logs nothing'),
         ([(ASK, f'future = {_UNHEARD}\n        while not future.done():\n'
            '            pass\n        self.on_speed(future)')], 1, 'did not return'),
