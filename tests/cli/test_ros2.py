@@ -12,10 +12,11 @@ from rcl_interfaces.msg import ParameterDescriptor
 from rcl_interfaces.srv import GetParameters
 from rclpy.node import Node
 from rclpy.parameter import Parameter
+from rclpy.parameter_service import ParameterService
 
 from param_tools.cli import param, session
 from param_tools.cli.run import node_programs
-from param_tools.ros import executor
+from param_tools.ros import executor, graph
 from param_tutorial import wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook.interrupts import interruptible
@@ -114,6 +115,7 @@ def test_a_dump_survives_a_parameter_that_is_also_a_prefix(ros):
 
 
 def test_a_node_without_parameter_services_is_named_as_the_genuine_command_does(ros, monkeypatch):
+    monkeypatch.setattr(session, 'SERVICE_TIMEOUT_SEC', 0.3)
     ros.add(Odd)
     ros.add(Odd, 'mute', start_parameter_services=False)
     sentence = 'Wait for service timed out waiting for parameter services for node'
@@ -126,6 +128,14 @@ def test_a_node_without_parameter_services_is_named_as_the_genuine_command_does(
                   ['describe', '/mute', 'x']):
         assert run('param', *words) == ('', f'{sentence} /mute\n', 1)
     assert run('param', 'dump', '/mute') == ('', f'{sentence} /mute\n', 0)
+
+
+def test_services_that_come_later_than_their_node_are_waited_for(ros):
+    node = ros.add(Odd, 'late', start_parameter_services=False)
+    timer = threading.Timer(graph.DISCOVERY_SEC + 0.5, ParameterService, [node])
+    timer.start()
+    assert run('param', 'get', '/late', 'use_sim_time') == ('Boolean value is: False\n', '', 0)
+    timer.join()
 
 
 def test_a_busy_node_is_given_up_after_a_while(silent, monkeypatch):

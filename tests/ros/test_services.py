@@ -1,15 +1,11 @@
 """Calls with a deadline: what comes back, and with which error each way to fail ends."""
 
-import threading
-
 import pytest
 from rcl_interfaces.srv import ListParameters, SetParameters
-from rclpy.node import Node
 from rclpy.parameter import Parameter
-from rclpy.parameter_service import ParameterService
 
 from param_tools.errors import NoAnswerError, NodeNotFoundError, ParameterToolError
-from param_tools.ros import executor, graph
+from param_tools.ros import executor
 from param_tools.ros.services import full_name
 from param_tools.ros.waiting import wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
@@ -41,14 +37,6 @@ def test_a_node_that_is_not_there_is_named_with_its_likeliest_neighbor(ros):
     assert f'There is: {ROBOT}' in error_of('/not a name')
     ros.remove_all()
     assert 'No node is running' in error_of(ROBOT)
-
-
-def test_services_that_come_later_than_their_node_are_waited_for(ros):
-    node = ros.add(Node, 'late', start_parameter_services=False)
-    timer = threading.Timer(graph.DISCOVERY_SEC + 0.5, ParameterService, [node])
-    timer.start()
-    ros.services.call('/late', 'list_parameters', ListParameters.Request())
-    timer.join()
 
 
 def test_an_error_names_the_callback_of_another_node_that_is_in_the_way_each_time(ros, monkeypatch):

@@ -111,6 +111,9 @@ class Session:
 
     def call(self, node: str, service: str, request: Any) -> Any:
         """Call a parameter service of a node that has been found."""
+        # Where a process starts on a busy machine, its services come seconds after its name.
+        if not self.executor.services.find(node, service, SERVICE_TIMEOUT_SEC):
+            raise CommandFailed(without_services(node))
         try:
             return self.executor.services.call(node, service, request, timeout_sec=SERVICE_TIMEOUT_SEC)
         except NoServiceError:

@@ -22,9 +22,6 @@ JOINING_SEC = 0.5
 # newcomer once, and announces itself again every 3 s. Our profile (fastdds.xml) cures that; the user may have another.
 NEWCOMER_SEC = 5.0
 QUIET_SEC = 0.2
-# So much later than its name a node's services may come while a machine is busy, as a process that starts is preempted.
-# The genuine command gives them 5 s in all.
-SERVICES_SEC = 4.0
 
 Incarnations = frozenset[tuple[str, bytes]]
 

@@ -255,12 +255,8 @@ class Services:
         """
         now = time.monotonic()
         # Where there are no other processes, all nodes are known at once.
-        if now <= end or not host.host.has_processes:
-            return now > end
-        # Its services are still to come, or it has none.
-        if node in self.node_names(hidden=True):
-            return now > end + graph.SERVICES_SEC
-        return now > self._newcomer_until
+        return now > end and (now > self._newcomer_until or not host.host.has_processes
+                              or node in self.node_names(hidden=True))
 
     def _absence(self, node: str, service: str) -> NodeError:
         if node in self.node_names(hidden=True):
