@@ -186,7 +186,9 @@ def test_what_has_changed_is_copied(planner):
     page.box('rate_hz').fill('20')
     page.box('rate_hz').press('Enter')
     panel = page.page.locator('.jp-OutputArea-output .param-panel').first
-    panel.get_by_role('button', name='Copy…').press('Enter')
+    copy = panel.get_by_role('button', name='Copy…')
+    expect(copy).to_be_enabled()  # when the node has answered
+    copy.press('Enter')
     dialog = panel.get_by_role('dialog', name='The changed values of /planner')
     dialog.get_by_role('button', name='Copy').last.press('Enter')
     expect(dialog.get_by_role('button', name='Copied')).to_be_focused()
