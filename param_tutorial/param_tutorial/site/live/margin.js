@@ -108,11 +108,11 @@ export class Margin {
       ({element}) => element.isConnected && element.matches('.live-home') && !element.closest('.lesson-folded'),
     );
     // Before the first heading it is -1.
-    const sectionOf = (/** @type {View} */ {element}) => this.headings.findLastIndex(each => isBelow(element, each));
-    const section = Math.max(...homes.map(sectionOf).filter(each => each <= here));
+    const sections = homes.map(({element}) => this.headings.findLastIndex(each => isBelow(element, each)));
+    const section = Math.max(...sections.filter(each => each <= here));
     /** @type {Map<string, View>} */
     const views = new Map();
-    for (const view of homes.filter(each => sectionOf(each) === section)) {
+    for (const view of homes.filter((_, at) => sections[at] === section)) {
       // The same robot again takes the place of the one before when the text has come there.
       const name = `${view.inner.firstElementChild?.className} ${nodesOf(view)}`;
       if (!views.has(name) || isReached(view.element)) views.set(name, view);
