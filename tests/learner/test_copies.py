@@ -168,7 +168,8 @@ def test_what_the_system_rejects_is_one_sentence_and_changes_no_copy(copies, mon
         real(file)
 
     monkeypatch.setattr(os, 'fsync', reject)
-    with pytest.raises(ParameterToolError, match=r'yours was lost\. The reason: No space left on device: the file'):
+    with pytest.raises(ParameterToolError, match=(
+            r'nothing of yours was lost\. The reason: No space left on device: the file')):
         copies.reset('1')
     assert {name: content for name, content in files(copies.folder).items() if 'backups/' not in name} == before
     assert backups(copies) == [mine] * written
