@@ -7,6 +7,7 @@ import pytest
 import param_tutorial
 from param_tools.errors import ParameterToolError
 from param_tools.ros import stage
+from param_tools.ros.environment import package_in_work
 from param_tutorial import Package, Terminal
 from param_tutorial.learner import package_files
 from param_tutorial.learner.package_files import ours, steps
@@ -138,6 +139,14 @@ def test_chapter_2_begins_with_nothing_and_leaves_a_package_alone_that_is_furthe
     assert first.home != package.home
     assert list(first.home.iterdir()) == []
     first.close()
+
+
+def test_a_package_that_is_closed_is_followed_no_longer(package):
+    assert package_in_work() == package.root
+    package.files.path('driver_node.py').write_text(SLOW)
+    package.close()
+    package.refresh()
+    assert package_in_work() is None
 
 
 def test_an_editor_of_another_file_says_that_it_is_saved_or_not_there_yet(package):

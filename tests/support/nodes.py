@@ -91,3 +91,19 @@ class Counter(Node):
         """Accept everything."""
         self.seen += [each.value for each in parameters]
         return SetParametersResult(successful=True)
+
+
+class Weather(Node):
+    """Has two numbers that depend on each other."""
+
+    def __init__(self, name='weather'):
+        super().__init__(name)
+        self.declare_parameter('low_c', -5)
+        self.declare_parameter('high_c', 40)
+        self.add_on_set_parameters_callback(self.judge)
+
+    def judge(self, parameters):
+        """Look at the values as they would be after the whole change."""
+        after = {name: self.get_parameter(name).value for name in ('low_c', 'high_c')}
+        after.update((each.name, each.value) for each in parameters)
+        return SetParametersResult(successful=after['low_c'] < after['high_c'], reason='low_c must be below high_c')

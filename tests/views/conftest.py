@@ -7,22 +7,8 @@ from rclpy.parameter import Parameter
 
 import param_tutorial
 from param_tutorial import ParameterClient
+from tests.support.nodes import Weather
 from tests.widgets.conftest import _close_all  # noqa: F401
-
-
-class Weather(Node):
-    """Has two numbers that depend on each other."""
-
-    def __init__(self):
-        super().__init__('weather')
-        self.declare_parameter('low_c', -5)
-        self.declare_parameter('high_c', 40)
-        self.add_on_set_parameters_callback(self.judge)
-
-    def judge(self, parameters):
-        after = {name: self.get_parameter(name).value for name in ('low_c', 'high_c')}
-        after.update((each.name, each.value) for each in parameters)
-        return SetParametersResult(successful=after['low_c'] < after['high_c'], reason='low_c must be below high_c')
 
 
 @pytest.fixture

@@ -82,7 +82,6 @@ class FollowedPackage:
         """The folder of the lessons, in which a chapter's shells begin."""
         # In chapter 2 a shell finds the package after it has been built, and not before.
         self._is_followed = bool(self._step) or not host.host.has_processes
-        self._work_in(self.files.root)
         self._lock = threading.RLock()
         self._listeners: Listeners[[]] = Listeners()
         self._words: tuple[str, ...] | None = ()
@@ -91,13 +90,14 @@ class FollowedPackage:
         if not (makes_package and host.host.has_processes):
             self.files.lay_out(self._step or chapter)
         self.base = cast(BaseNode, stage.current().add(BaseNode))
+        self._work_in(self.files.root)
         if self._step:
             self.need(self._step)
+        _open = self
         self._job = Job(self._look_again, _LOOK_SEC)
         self._job.wake()
         if shell := get_ipython():
             shell.events.register('post_run_cell', self._after_cell)
-        _open = self
 
     def __repr__(self) -> str:
         return f'<{type(self).__name__}: {self.files.root.name}>'
@@ -105,10 +105,11 @@ class FollowedPackage:
     def close(self) -> None:
         """Follow the files no longer; what is on the stage stays there. Safe to call more than once."""
         global _open
-        if _open is not self:
-            return
-        _open = None
-        os.environ.pop(PACKAGE_IN_WORK, None)
+        with self._lock:  # a file may be looked at just now
+            if _open is not self:
+                return
+            _open = None
+            os.environ.pop(PACKAGE_IN_WORK, None)
         self._job.end()
         if shell := get_ipython():
             shell.events.unregister('post_run_cell', self._after_cell)
@@ -163,6 +164,8 @@ class FollowedPackage:
         """The folder of the package that the stage runs: the reader's, or a copy of ours."""
         if self._is_followed:
             os.environ[PACKAGE_IN_WORK] = str(root)
+        else:
+            os.environ.pop(PACKAGE_IN_WORK, None)
 
     def _has_passed(self) -> bool:
         """True if the reader's package has passed the step, or is ours from after it."""
@@ -234,6 +237,8 @@ class FollowedPackage:
         """
         changed = bool(name)
         with self._lock:
+            if _open is not self:
+                return
             for program in self._programs:
                 text = self.files.text(program.name)
                 if text != program.seen or name == program.name:
