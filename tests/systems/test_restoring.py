@@ -64,9 +64,7 @@ def test_a_node_that_stores_something_else_is_reported(ros, client):
     assert restore(client, {'speed': 150}).complete
 
 
-class Open(Node):
-    """A node that accepts anything."""
-
+class Open(Node):  # to a value of any type
     def __init__(self):
         super().__init__('open')
         for name in NAMES:

@@ -108,7 +108,7 @@ function render({model, el}) {
       ),
     );
     save.disabled = !isDraft;
-    status.textContent = isDraft ? 'Not saved yet.' : model.get('status');
+    status.innerHTML = isDraft ? 'Not saved yet.' : model.get('status');
     status.classList.toggle('file-error', !isDraft && model.get('is_error'));
   };
   const send = () => {

@@ -8,6 +8,7 @@ import traitlets
 from param_tools.errors import ParameterToolError, describe_error
 from param_tools.markup.scripts import bundle
 from param_tools.markup.styles import sheet
+from param_tools.markup.tables import with_code
 from param_tools.panel.close_with_cell import close_with_cell
 from param_tools.panel.front import Front
 from param_tools.panel.view import View
@@ -23,7 +24,7 @@ class _Front(Front):
     text = traitlets.Unicode().tag(sync=True)
     """What the file holds."""
     status = traitlets.Unicode().tag(sync=True)
-    """What became of it when it was run."""
+    """What became of it when it was run, as HTML."""
     line = traitlets.Int().tag(sync=True)
     """The number of the line that the status is about; 0 if it is about none."""
     is_error = traitlets.Bool().tag(sync=True)
@@ -65,13 +66,14 @@ class FileEditor(View):
             self.save(str(content['text']), str(content['base']))
         except ParameterToolError as error:
             with self._front.hold_sync():
-                self._front.status, self._front.line, self._front.is_error = describe_error(error), 0, True
+                self._front.status, self._front.line, self._front.is_error = with_code(describe_error(error)), 0, True
 
     def _show(self) -> None:
         with self._drawing, contextlib.suppress(ParameterToolError), self._front.hold_sync():
             status = self._package.status(self._name)
             self._front.text = self._package.files.text(self._name)
-            self._front.status, self._front.is_error, self._front.line = status.words, status.is_error, status.line
+            self._front.status = with_code(status.words)
+            self._front.is_error, self._front.line = status.is_error, status.line
 
     def _end(self) -> None:
         self._stop_following()

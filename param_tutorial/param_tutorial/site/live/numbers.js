@@ -77,7 +77,7 @@ class Handle {
 
   /** @param {KeyboardEvent} event */
   press(event) {
-    const steps = {ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1}[event.key];
+    const steps = {ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, Home: -Infinity, End: Infinity}[event.key];
     if (!steps) return;
     event.preventDefault();
     this.show(this.value + steps * this.step);
