@@ -394,6 +394,9 @@ def test_a_number_in_the_text_is_dragged_and_the_node_answers_below(page):
         number.press(key)
         expect(says).to_have_text(f'/heater accepted low_c = {value}', timeout=60_000)
     expect(number).to_have_attribute('aria-valuenow', '1')
+    expect(box(page, 'low_c')).to_have_value('1')  # the panel right below has become the node's
+    expect(cell_with(page, "panel['low_c'].value")).to_have_attribute('data-is-old', '')
+    expect(cell_with(page, 'the end')).not_to_have_attribute('data-is-old', '')  # of another section
 
 
 @limits
@@ -511,7 +514,7 @@ def test_the_robot_drives_and_a_change_on_the_way_takes_effect_on_the_way(page):
 @robot
 def test_robot_and_panel_stand_beside_the_text_that_is_about_them_and_fold_beside_other_text(page):
     margin = page.get_by_role('complementary', name='Beside the text')
-    strip = margin.get_by_role('button', name='the robot and /driver')
+    strip = margin.get_by_role('button', name='/base and /driver')
     view, panel = margin.locator('.robot-view'), margin.locator('.param-panel')
 
     def go_to(heading):
@@ -542,7 +545,7 @@ def test_robot_and_panel_stand_beside_the_text_that_is_about_them_and_fold_besid
 @robot_on_a_phone
 def test_on_a_phone_a_sheet_at_the_foot_shows_what_is_out_of_sight(page):
     sheet = page.get_by_role('complementary', name='Beside the text')
-    strip = sheet.get_by_role('button', name='the robot and /driver')
+    strip = sheet.get_by_role('button', name='/base and /driver')
     expect(strip).to_be_hidden()
     page.get_by_role('heading', name='Two sources').evaluate('each => each.scrollIntoView()')
     before = page.locator('.bd-article').bounding_box()['height']

@@ -163,6 +163,6 @@ function isBelow(one, other) {
 /** Return the names of the nodes that a view shows, or what else it is. @param {View} view */
 function nodesOf({handles, inner}) {
   const named = [...handles.values()].map(handle => handle.get('nodes')).find(Boolean);
-  const names = all(inner, '.param-node').map(each => each.textContent);
+  const names = all(inner, '.param-node, .robot-node').map(each => each.textContent);
   return named ?? (names.join(' and ') || (inner.querySelector('.param-panel') ? 'parameters' : 'the robot'));
 }

@@ -203,18 +203,20 @@ export class Page {
   wake(id, place) {
     this.begin(place);
     let last = this.cells.findIndex(each => each.facts.id === id);
-    while (this.isRightBelow(last)) last += 1;
+    while (this.isRightBelow(last, place)) last += 1;
     while (this.next <= last) this.tellToRun(this.cells[this.next++]);
     if (this.running) this.tellHowFar(place);
   }
 
   /**
-   * Tell whether the next cell shows a view right below a cell.
+   * Tell whether the next cell shows a view right below a cell, or below the paragraph that the reader has touched.
    * @param {number} at
+   * @param {Element} [place] What the reader has touched.
    */
-  isRightBelow(at) {
+  isRightBelow(at, place) {
     const below = this.cells[at + 1];
-    return below?.facts.roots.length && below.element?.previousElementSibling === this.cells[at].element;
+    const before = below?.element?.previousElementSibling;
+    return below?.facts.roots.length && before && [this.cells[at].element, place].includes(before);
   }
 
   /**
@@ -267,7 +269,8 @@ export class Page {
   age(place) {
     for (const {element, isOwn, views} of this.cells) {
       if (!element?.querySelector('.cell_output') || isOwn || views.size) continue;
-      if (place.closest('section')?.contains(element) && isAbove(place, element)) element.dataset.isOld = '';
+      if (element.closest('section') === place.closest('section') && isAbove(place, element))
+        element.dataset.isOld = '';
     }
   }
 
