@@ -8,7 +8,7 @@ import pytest
 from nbformat.v4 import new_markdown_cell, new_notebook
 
 from param_tutorial.exercises import EXERCISES, RECALLS, predicting
-from param_tutorial.site.live.running import LiveCell, LiveChapter
+from param_tutorial.site.live.running import LiveChapter
 from param_tutorial.site.pages import chapter, front_page, links, writing
 from tests.support.paths import NOTEBOOKS
 
@@ -24,16 +24,6 @@ def linked(folder, text, pages, **options):
     path = folder / '3_c.ipynb'
     nbformat.write(new_notebook(cells=[new_markdown_cell(f'# 3 · C\n{text}')]), path)
     return chapter.chapter_source(path, NOTHING_RAN, pages, **options).cells
-
-
-def test_a_view_that_shows_less_on_a_page_has_the_reason_below_it():
-    path = NOTEBOOKS / '05_1_from_the_command_line.ipynb'
-    line = next(each for each in nbformat.read(path, as_version=4).cells if each.source == '%ros2_terminal')
-    state = {'_model_name': 'HTMLModel', 'value': 'a line'}
-    ran = LiveChapter([LiveCell(line.id, line.source, '', ['a/1/1'], {'a/1/1': state})], {})
-    shown = next(each for each in chapter.chapter_source(path, ran, set()).cells if each.id == line.id)
-    assert re.search(r'a line.*So it is in a web page: no terminal finds the nodes of a page\.',
-                     shown.outputs[0].data['text/html'])
 
 
 LINKS = '[b](2_b.ipynb#Top) [z](9_z.ipynb) [s](solutions/3_solutions.ipynb) [w](https://example.org/x.md)'

@@ -11,7 +11,7 @@ from param_tutorial.exercises.results import Answer
 from param_tutorial.learner.progress import Progress, ProgressFile
 
 _STYLE = style('param_tutorial/exercises/chapter_progress.css')
-_HOW = 'Start the course with `make lab`, and what you solve is remembered and ticked here.'
+_HOW = 'Run this cell to see what you have solved: the website remembers it, as does the lab that `make lab` starts.'
 
 
 class Chapter(NamedTuple):

@@ -1,7 +1,7 @@
 """A chapter as a source for Sphinx: its views drawn, its exercises with hints and solutions."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import nbformat
@@ -10,7 +10,7 @@ from param_tutorial.exercises import EXERCISES, PREDICTIONS, RECALLS
 from param_tutorial.exercises.predicting import STYLE, draw_form
 from param_tutorial.exercises.prediction import MIME_TYPE
 from param_tutorial.notebook.stored import WIDGET
-from param_tutorial.site.live.running import EXPLAINED, LiveCell, LiveChapter
+from param_tutorial.site.live.running import LiveCell, LiveChapter
 from param_tutorial.site.live.stills import still
 from param_tutorial.site.pages import drawing
 from param_tutorial.site.pages.links import DEEPER, LAB, NOTEBOOKS, Links, is_deeper
@@ -39,7 +39,7 @@ def chapter_source(path: Path, live: LiveChapter, pages: set[str], *, alone: dic
     """
     notebook: nbformat.NotebookNode = nbformat.read(path, as_version=4)
     links = Links(path, notebook, pages, is_alone=alone is not None)
-    _draw_views(notebook, live, EXPLAINED.get(path.stem, {}))
+    _draw_views(notebook, live)
     _draw_predictions(notebook, links)
     for cell in notebook.cells:
         for output in cell.get('outputs', ()):
@@ -81,11 +81,8 @@ def _begin_with_what_can_be_touched(notebook: nbformat.NotebookNode) -> None:
     notebook.cells.insert(2 if stage and notebook.cells[1] is stage and stage.outputs else 1, after)
 
 
-def _draw_views(notebook: nbformat.NotebookNode, live: LiveChapter, explained: Mapping[str, str]) -> None:
-    """Put the first picture of each view in the place of its widget, and a name on each cell that runs.
-
-    :param explained: By a cell's source: why its view shows something else here than in a notebook.
-    """
+def _draw_views(notebook: nbformat.NotebookNode, live: LiveChapter) -> None:
+    """Put the first picture of each view in the place of its widget, and a name on each cell that runs."""
     ran = {each.id: each for each in live.cells}
     for cell in notebook.cells:
         if cell.id not in ran:
@@ -94,9 +91,7 @@ def _draw_views(notebook: nbformat.NotebookNode, live: LiveChapter, explained: M
         shown = [output for output in cell.outputs
                  if WIDGET in output.get('data', {}) and MIME_TYPE not in output.data]
         for root, output in zip(ran[cell.id].roots, shown, strict=True):
-            why = explained.get(cell.source)
-            note = f'<p class="live-why">So it is in a web page: {why}.</p>' if why else ''
-            output.data = nbformat.from_dict({'text/html': still(ran[cell.id], root) + note})
+            output.data = nbformat.from_dict({'text/html': still(ran[cell.id], root)})
 
 
 def live_cells(cells: Sequence[LiveCell]) -> str:
