@@ -190,6 +190,9 @@ def describe_error(error: BaseException) -> str:
 def cause(error: BaseException) -> str:
     """Return what to think of if an exception does not name its cause, as a sentence without its period; or nothing."""
     line = ''
+    owner = getattr(error, 'obj', None)
+    if isinstance(error, AttributeError) and hasattr(owner, 'declare_parameter') and not hasattr(owner, 'handle'):
+        return 'Before this line, `__init__` has to call `super().__init__(…)`'
     for frame, number in [*traceback.walk_tb(error.__traceback__)][-1:]:
         line = linecache.getline(frame.f_code.co_filename, number, frame.f_globals)
         name, owner = getattr(error, 'name', None), frame.f_locals.get('self')

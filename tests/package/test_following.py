@@ -50,21 +50,22 @@ def test_a_saved_file_runs_with_its_defaults(package):
     assert package.status().words.endswith('It begins with the defaults: what was set before is lost.')
 
 
-def test_a_file_that_something_else_saves_runs_too(package):
-    before = package.node()
-    package.files.path('driver_node.py').write_text(SLOW)
-    param_tutorial.wait_until(lambda: package.node() is not before, 'the new driver')
+def test_a_file_that_something_else_saves_runs_too_and_an_editor_follows_it(package):
+    with closing(package.edit()) as editor:
+        package.files.path('driver_node.py').write_text(SLOW)
+        param_tutorial.wait_until(lambda: editor.text == SLOW, 'the new text')
     assert speed(package) == 0.25
 
 
 @pytest.mark.parametrize(('old', 'new', 'line', 'words'), [
     ("'max_speed_mps', 0.5, Par", "'max_speed_mps', 0.5, 'Par", 11, 'SyntaxError in line 11 of driver_node.py'),
+    ("'max_speed_mps', 0.5", "'max_speed_mps' 0.5", 11, 'Perhaps you forgot a comma? Nothing'),
     ('import Twist', 'import Twits', 2, 'ImportError in line 2 of driver_node.py: cannot import name'),
     ('self.create_publisher', 'self.create_publishr', 15, "no attribute 'create_publishr'"),
     ('class Driver(Node)', 'class Driver', 0, 'has no class derived from `Node` yet'),
-    ("super().__init__('driver')", 'pass', 11, 'AttributeError in line 11'),
+    ("super().__init__('driver')", 'pass', 11, '`__init__` has to call `super()'),
     ("super().__init__('driver')", 'while True: pass', 10, 'does not return in line'),
-], ids=['syntax', 'import', 'attribute', 'no class', 'no node', 'endless'])
+], ids=['syntax', 'comma', 'import', 'attribute', 'no class', 'no node', 'endless'])
 def test_a_file_that_makes_no_node_leaves_the_robot_and_names_the_line(package, monkeypatch, old, new, line, words):
     monkeypatch.setattr(loading, 'LIMIT_SEC', 0.5)
     assert old in DRIVER
@@ -80,6 +81,11 @@ def test_what_a_callback_raises_names_the_line_and_the_robot_stops(package):
     param_tutorial.wait_until(lambda: package.status().is_error, 'the exception')
     assert package.status().line == 20
     assert 'timer callback drive of /driver: AttributeError in line 20 of driver_node.py' in package.status().words
+    # That version runs again, and raises again; the file is another by now.
+    package.save('driver_node.py', DRIVER.replace("'max_speed_mps').value", "'max_sped_mps').value"))
+    param_tutorial.wait_until(lambda: any(f.callback.node is package.node() for f in stage.current().failures), 'it')
+    package.refresh()
+    assert 'ParameterNotDeclaredException in line' in package.status().words
 
 
 def test_a_callback_that_does_not_return_takes_its_node_off_the_stage(package):
@@ -123,13 +129,6 @@ def test_nothing_of_the_readers_is_overwritten_without_a_backup(package, capsys)
     assert SLOW + '# more\n' in [each.read_text() for each in package.files.backups.rglob('driver_node.py')]
     Package('4').close()
     assert package.files.text('driver_node.py') == DRIVER
-
-
-def test_an_editor_follows_the_file(package):
-    editor = package.edit()
-    package.files.path('driver_node.py').write_text(SLOW)
-    param_tutorial.wait_until(lambda: editor.text == SLOW, 'the new text')
-    editor.close()
 
 
 def test_chapter_2_begins_with_nothing_and_leaves_a_package_alone_that_is_further(package, capsys):

@@ -205,12 +205,8 @@ class Trial:
             with _time_limit(self._limit_sec()):
                 node = self.ros.add(node_class, ros_args=[*remapped, *ros_args, *fewer])
         except (Exception, SystemExit) as error:
-            # Node.__init__ would have made the handle.
-            is_bare = (isinstance(error, AttributeError) and isinstance(error.obj, Node)
-                       and getattr(error.obj, 'handle', None) is None)
-            said = describe_error(error)
-            raise NoStart('a node that starts', f'its constructor did not finish. {said[0].upper()}{said[1:]}' + (
-                '. Does `__init__` begin with `super().__init__(…)`?' if is_bare else '')) from None
+            why = describe_error(error)
+            raise NoStart('a node that starts', f'its constructor did not finish. {why[0].upper()}{why[1:]}') from None
         if isinstance(self.work, type) and issubclass(node_class, self.work):
             self.names.add(node.get_name())
             _expect_sendable(node)

@@ -99,7 +99,8 @@ function render({model, el}) {
   let leaves = false;
   const draw = () => {
     const isDraft = area.value !== base;
-    const line = isDraft ? 0 : model.get('line');
+    const hasRun = !isDraft && base === model.get('text');
+    const line = hasRun ? model.get('line') : 0;
     colors.replaceChildren(...paint(area.value));
     const count = area.value.split('\n').length;
     numbers.replaceChildren(
@@ -108,15 +109,14 @@ function render({model, el}) {
       ),
     );
     save.disabled = !isDraft;
-    status.innerHTML = isDraft ? 'Not saved yet.' : model.get('status');
-    status.classList.toggle('file-error', !isDraft && model.get('is_error'));
+    status.innerHTML = hasRun ? model.get('status') : isDraft ? 'Not saved yet.' : 'Saving …';
+    status.classList.toggle('file-error', hasRun && model.get('is_error'));
   };
   const send = () => {
     // The kernel says what is in the file from then on; a page may have to wake it first.
     model.send({do: 'save', text: area.value, base});
     base = area.value;
     draw();
-    status.textContent = 'Saving …';
   };
   const hear = () => {
     if (area.value === base && base !== model.get('text')) area.value = model.get('text');

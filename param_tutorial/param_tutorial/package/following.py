@@ -54,6 +54,7 @@ class _Program:
         self.words: tuple[str, ...] = ()
         """What it was started with."""
         self.status = Status('')
+        self.is_older = False  # True while the node is of an earlier text, since the present one makes none
         self.failure: Failure | None = None
 
 
@@ -267,7 +268,9 @@ class FollowedPackage:
         try:
             node_class = load_node_class(path, self.root)
             node = self._add(node_class, path, self._words)
+            program.is_older = False
         except LoadError as error:
+            program.is_older = True
             if before is None or program.node in stage.current().nodes:
                 unchanged = ' Nothing has changed on the stage.' if before else ''
                 program.status = Status(f'{error}{unchanged}', bool(before or error.line), error.line)
@@ -290,7 +293,7 @@ class FollowedPackage:
         """Show what a callback of a node has raised last; return whether that is new."""
         found = next((each for each in reversed(stage.current().failures)
                       if each.callback and each.callback.node is program.node), None)
-        if found is program.failure:
+        if found is program.failure or program.is_older:
             return False
         program.failure = found
         if found:

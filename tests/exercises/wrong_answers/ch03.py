@@ -18,7 +18,7 @@ WRONG = {
         ([("'driver'", "'pilot'")], 2, 'it is called `pilot`'),
         ([('0.5', '1')], 1, 'type integer, value `1`'),
         ([('class Driver(Node):', 'class Driver:')], 0, 'driver_node.py has no class derived from `Node`'),
-        ([("        super().__init__('driver')\n", '')], 0, 'Does `__init__` begin with `super().__init__(…)`?'),
+        ([("        super().__init__('driver')\n", '')], 0, '`__init__` has to call `super().__init__(…)`'),
         ([('(self):', '(self)')], 0, "SyntaxError in line 5 of driver_node.py: expected ':'"),
         ([('import Node', 'import Nod')], 0, "ImportError in line 1 of driver_node.py: cannot import name 'Nod'"),
         ([('max_speed_mps', 'max_sped_mps')], 1, 'none of that name'),
