@@ -9,9 +9,10 @@ ABOVE = 'run it first (in JupyterLab: Run → Run All Above Selected Cell).'
 
 
 @pytest.fixture
-def shell():
+def shell(monkeypatch):
+    monkeypatch.setattr(kernel_start.newest_kernel, 'note_domain', lambda: None)
     shell = InteractiveShell()
-    shell.events.register('post_run_cell', kernel_start.after_cell)
+    kernel_start.load_ipython_extension(shell)
     return shell
 
 
@@ -23,9 +24,11 @@ def shell():
      '`None` is an answer that has not come: `result()` of a future does not wait for it.\n'),
     ('def f():\n    print(x)\n    x = 1\nf()', ''),
     ('%unheard_of', ''),
+    ('print(1', ''),
 ])
 def test_what_a_cell_says_on_standard_error(shell, capsys, cell, words):
     shell.run_cell(cell)
-    said = capsys.readouterr().err
+    printed, said = capsys.readouterr()
     # IPython says itself which magic there is not.
     assert said.endswith(words) and (ABOVE in said) == (ABOVE in words)
+    assert 'incomplete input' not in printed

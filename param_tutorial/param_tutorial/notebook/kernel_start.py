@@ -4,6 +4,7 @@ An error about a name that a cell above would have defined, or that a Node has, 
 the cause is told. Terminals find its nodes.
 """
 
+import codeop
 import re
 import sys
 
@@ -19,6 +20,8 @@ _ABOVE = 'run it first (in JupyterLab: Run → Run All Above Selected Cell).'
 def load_ipython_extension(shell: InteractiveShell) -> None:
     """Let the kernel begin so; IPython calls this when it starts, as ``environment/lab.py`` tells it."""
     shell.events.register('post_run_cell', after_cell)
+    # So that Python says which bracket was never closed, in place of 'incomplete input'.
+    shell.compile.flags &= ~getattr(codeop, 'PyCF_ALLOW_INCOMPLETE_INPUT', 0)
     newest_kernel.note_domain()
 
 
