@@ -101,7 +101,7 @@ def package_xml(files: PackageFiles) -> ElementTree.Element:
     except ElementTree.ParseError as error:
         line, _ = error.position
         shown = text.splitlines()[min(line, text.count('\n')) - 1].strip()
-        raise NoUse('a `package.xml` that can be read', f'{error}: `{shown}`') from None
+        raise NoUse('a `package.xml` that can be read, or ROS finds no package', f'{error}: `{shown}`') from None
     for tag, wanted in (('name', NAME), ('export/build_type', 'ament_python')):
         found = (root.findtext(tag) or '').strip()
         if found != wanted:

@@ -140,7 +140,7 @@ steps = Exercise('3a', 'The first line of your driver', CHAPTER, DRIVER, node_na
     'decides the type: a double has a dot.'))
 
 
-@steps.require('`driver_node.py` makes a node called `driver`', see=OWN)
+@steps.require('`driver_node.py` makes a node', see=OWN)
 def is_called_driver(trial: Trial) -> None:
     trial.client(trial.start())
 

@@ -106,7 +106,7 @@ asks = Exercise('5.3a', 'It asks', CHAPTER, TUNER, node_name='tuner', hints=(
     "`self.get_logger().info(f'max_speed_mps is {speed_mps}')`."))
 
 
-@asks.require('`tuner_node.py` makes a node called `tuner`, whose client finds the services of `driver`', see=ASK)
+@asks.require('`tuner_node.py` makes a node, whose client finds the services of `driver`', see=ASK)
 def finds_driver(trial: Trial) -> None:
     trial.start(Driver)
     with awake():
