@@ -149,11 +149,8 @@ class _Dumper(yaml.SafeDumper):
         return True
 
 
-def _quoted(dumper: _Dumper, text: str) -> yaml.ScalarNode:
-    return dumper.represent_scalar('tag:yaml.org,2002:str', text, None if text.isprintable() else '"')
-
-
-_Dumper.add_representer(str, _quoted)
+_Dumper.add_representer(str, lambda dumper, text: dumper.represent_scalar(
+    'tag:yaml.org,2002:str', text, None if text.isprintable() else '"'))
 
 
 def _written(described: DescribedParameter) -> dict[str, Any]:

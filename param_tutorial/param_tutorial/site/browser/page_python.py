@@ -90,7 +90,7 @@ def _wheels() -> dict[str, dict[str, bytes]]:
     needs = dict(_installed_files(_INSTALLED))
     packages: dict[str, dict[str, bytes]] = {}
     for path in wheels():
-        name = _name(path)
+        name = re.sub(r'[-_.]+', '-', path.name.partition('-')[0]).lower()
         with zipfile.ZipFile(path) as wheel:
             files = {each: wheel.read(each) for each in wheel.namelist()
                      if not each.endswith(('/', '/RECORD')) and not any(part in each for part in _PARTS_LEFT_OUT)}
@@ -120,10 +120,6 @@ def wheels() -> list[Path]:
 def kernel_wheel() -> Path:
     """Return the wheel of JupyterLite's kernel: an extension of JupyterLab, with Python packages in it."""
     return next(path for path in _fetched() if path.name.startswith('jupyterlite_pyodide_kernel-'))
-
-
-def _name(wheel: Path) -> str:
-    return re.sub(r'[-_.]+', '-', wheel.name.partition('-')[0]).lower()
 
 
 def _fetched() -> list[Path]:
