@@ -259,7 +259,9 @@ def test_a_cell_is_edited_and_run_and_kept(page):
     page.reload()
     expect(cell.get_by_role('textbox', name='The code of this cell')).to_have_text('1 / 0')
     assert not page.evaluate("document.documentElement.dataset.node === 'waking'")  # nothing runs without a click
+    expect(cell).to_have_attribute('data-is-old', '')  # what stands below is not what this code puts out
     cell.get_by_role('button', name='Bring back the code of the lesson').click()
+    expect(cell).not_to_have_attribute('data-is-old', '')
     expect(cell.get_by_text('panel.settle()')).to_be_visible()
     page.reload()
     expect(cell.get_by_text('panel.settle()')).to_be_visible()
@@ -408,6 +410,8 @@ def test_predictions_fold_what_answers_them_and_are_kept_and_marked(page, made):
     expect(page.locator('.lesson-look')).to_have_count(1)  # below the other prediction no cell decides it
     expect(answer).to_be_hidden()
     expect(told).to_be_hidden()
+    assert 'Hidden until you' in cell_with(page, 'panel.settle()').locator('.cell_output').evaluate(
+        "each => getComputedStyle(each, '::before').content")
     page.emulate_media(media='print')  # paper hides nothing
     expect(answer).to_be_visible()
     page.emulate_media(media='screen')

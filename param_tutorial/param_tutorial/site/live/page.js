@@ -495,6 +495,7 @@ function letEdit(page, cell, code) {
     editor = undefined;
     keepCode(cell.facts.id);
     show();
+    delete cell.element?.dataset.isOld;
     editButton.focus();
   };
   const keep = (/** @type {string} */ typed) => {
@@ -523,6 +524,7 @@ function letEdit(page, cell, code) {
   if (code !== undefined && code !== cell.code) {
     cell.code = code;
     input.closest('details')?.setAttribute('open', '');
+    /** @type {HTMLElement} */ (cell.element).dataset.isOld = ''; // the lesson's code has put out what stands below
     edit();
   }
 }
