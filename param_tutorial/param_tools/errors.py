@@ -35,6 +35,7 @@ _CAUSES = (
     (r"'NoneType' object is not callable|\.(\w+)\(\) missing .*self\.\1\(\)",
      'A callback is given by its name alone, without parentheses'),
     (r"SetParametersResult' object is not iter", 'A pre-set callback returns a list; a judge is an on-set callback'),
+    (r"'(NoneType|bool)' object has no attribute 'successful'", 'A judge returns a `SetParametersResult` in any case'),
     (r"'(function|method|Future)' object has no attribute '(successful|results?|values)'",
      'It is a future, whose answer has still to come'),
     (r"'NoneType' object has no attribute '(results?|values|types|descriptors)'",

@@ -25,6 +25,7 @@ def shell(monkeypatch):
     ('def f():\n    print(x)\n    x = 1\nf()', ''),
     ('%unheard_of', ''),
     ('print(1', ''),
+    ('1\nros2 param list', 'A command begins with a percent sign: %ros2 param list\n'),
 ])
 def test_what_a_cell_says_on_standard_error(shell, capsys, cell, words):
     shell.run_cell(cell)

@@ -37,6 +37,8 @@ WRONG = {
         ([('  ros__parameters', 'ros__parameters')], 0, 'it cannot'),
         ([('    max_speed', '\tmax_speed')], 0, 'There is a tab in it'),
         ([('    stop_distance_m: 2.0\n', '')], 0, 'it is `0.5`'),
+        ([('distance_m: 2.0', 'distance_m 2.0')], 0, "could not find expected ':'"),
+        ([('max_speed_mps', 'max_speed')], 0, 'Set parameter max_speed failed'),
     ],
 }
 

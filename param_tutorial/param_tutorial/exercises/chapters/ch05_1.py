@@ -138,8 +138,9 @@ def _expect_goals(trial: Trial, driver: Node, said: str) -> None:
     for name, goal in GOALS.items():
         found = trial.client(driver).get_parameter(name)
         if not values.same(found, goal):
-            why = next((line for line in said.splitlines() if name in line), said.splitlines()[-1] if said else '')
-            raise NotYet(f'`{name}` is `{goal!r}`', f'it is `{found!r}`; {why}')
+            lines = said.splitlines()
+            about = [line for line in lines if name in line] or [line for line in lines if 'failed' in line] or lines
+            raise NotYet(f'`{name}` is `{goal!r}`', f'it is `{found!r}`; {" ".join(map(str.strip, about))}')
 
 
 EXERCISES = (change, spell, fix, file)
