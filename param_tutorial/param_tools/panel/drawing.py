@@ -40,8 +40,9 @@ def panel_markup(node: str, rows: Sequence[PanelRow], states: Mapping[str, RowSt
              for number, row in enumerate(rows, 1))
     body = ''
     for is_quiet, group in itertools.groupby(zip(rows, drawn), lambda each: each[0].is_quiet):
-        parts = [markup for _, markup in group]
-        body += _folder(HOUSEKEEPING, parts, is_open=is_open) if is_quiet else ''.join(parts)
+        parts = ''.join(markup for _, markup in group)
+        body += (f'<details class="param-group"{" open" if is_open else ""}><summary><span '
+                 f'role="heading" aria-level="4">{html.escape(HOUSEKEEPING)}</span></summary>{parts}</details>') if is_quiet else parts
     compact = ' param-compact' if len(rows) >= _SEARCH_FROM else ''
     return f'{_head(node, len(rows), status, tools=tools)}<div class="param-rows{compact}">{body}</div>'
 
@@ -72,11 +73,6 @@ def _copying(node: str) -> str:
             'title="The changed values, as a parameter file or as commands">Copy\u2026</button>'
             f'<div popover class="param-copies" id="panel-NAME-copies" role="dialog" '
             f'aria-label="The changed values of {html.escape(node)}">{forms}</div>')
-
-
-def _folder(title: str, rows: Sequence[str], *, is_open: bool) -> str:
-    return (f'<details class="param-group"{" open" if is_open else ""}><summary>'
-            f'<span role="heading" aria-level="4">{html.escape(title)}</span></summary>{"".join(rows)}</details>')
 
 
 def _row(row: PanelRow, state: RowState, name: str, *, is_locked: bool) -> str:

@@ -29,6 +29,7 @@ from param_tools.errors import (
     WaitTimeoutError,
     cause,
 )
+from param_tools.files.checking import check_files
 from param_tools.files.parsing import LOADER
 from param_tools.node.client import ParameterClient
 from param_tools.ros import interrupts, stage
@@ -228,10 +229,13 @@ class Trial:
             try:
                 return self.start(node_class, ros_args=ros_args, namespace=namespace)
             except NoStart as error:
-                if match := _NOT_A_PARAMETER_FILE.search(error.happened):
-                    tab = '. There is a tab in it: YAML takes spaces only' if '\t' in ''.join(files.values()) else ''
-                    raise NoUse('a file that rcl can read', f'it cannot: {match[1].strip()}{tab}') from None
-                raise
+                if not (match := _NOT_A_PARAMETER_FILE.search(error.happened)):
+                    raise
+                for name, text in files.items():  # as the learner wrote it; rcl names no cause
+                    Path(folder, name).write_text(text, encoding='utf-8')
+                found = check_files([Path(folder, name) for name in files])
+                why = next((f'{each.message} (line {each.line})' for each in found), match[1].strip())
+                raise NoUse('a file that rcl can read', f'it cannot: {why}') from None
 
     def client(self, node: Node | str) -> ParameterClient:
         """Return a client for a node's parameters, with the time limit.

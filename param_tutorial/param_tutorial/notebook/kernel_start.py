@@ -28,7 +28,7 @@ def load_ipython_extension(shell: InteractiveShell) -> None:
 def after_cell(result: ExecutionResult) -> None:
     """Say below an error which cells to run first, or what the cause is, if it may be one that we know."""
     error = result.error_in_exec
-    if result.error_before_exec and (line := re.search(r'^ *(ros2 .*)', str(result.info.raw_cell), re.M)):
+    if result.error_before_exec and (line := re.search(r'^ *(ros2 .*)', getattr(result.info, 'raw_cell', ''), re.M)):
         print(f'A command begins with a percent sign: %{line[1]}', file=sys.stderr)
     if type(error) is NameError:
         node = getattr(sys.modules.get('rclpy.node'), 'Node', None)

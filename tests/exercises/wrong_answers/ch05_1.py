@@ -35,7 +35,7 @@ WRONG = {
         ([('mps: 1.0', 'mps: 1e0')], 1, "expected 'Type.DOUBLE' got 'Type.STRING'"),
         ([('/driver:', '/drive:')], 1, 'the file has another value for it, or is for another node'),
         ([('  ros__parameters', 'ros__parameters')], 0, 'it cannot'),
-        ([('    max_speed', '\tmax_speed')], 0, 'There is a tab in it'),
+        ([('    max_speed', '\tmax_speed')], 0, 'YAML allows no tab there'),
         ([('    stop_distance_m: 2.0\n', '')], 0, 'it is `0.5`'),
         ([('distance_m: 2.0', 'distance_m 2.0')], 0, "could not find expected ':'"),
         ([('max_speed_mps', 'max_speed')], 0, 'Set parameter max_speed failed'),

@@ -47,7 +47,7 @@ CAUSES = {
     ('STRING', 'INTEGER'): 'A string that looks like a number needs quotes',
     ('STRING', 'DOUBLE'): 'A string that looks like a number needs quotes',
     ('DOUBLE', 'INTEGER'): 'A double needs its dot, in a file too',
-    ('DOUBLE', 'STRING'): 'In quotes it is a string',
+    ('DOUBLE', 'STRING'): 'To rcl it is a string: a number has a dot, and neither a comma nor quotes',
     ('INTEGER', 'DOUBLE'): 'An integer has no dot',
     ('STRING_ARRAY', 'DOUBLE_ARRAY'): 'Each element that looks like a number needs quotes of its own',
     ('STRING_ARRAY', 'STRING'): 'This is one string. A list has brackets, or a dash before each element',
