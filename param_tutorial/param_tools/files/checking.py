@@ -10,7 +10,7 @@ import difflib
 import functools
 import re
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -212,10 +212,6 @@ class _Check:
                                       and not any(matches(name, node) for node in self._against))
         return found
 
-    def _for(self, node: str) -> Iterator[Assignment]:
-        """Return what the blocks for a node assign."""
-        return (each for name in self._parser.blocks_for(node) for each in self._assignments[name])
-
     def _ask_rcl(self) -> None:
         """Let rcl itself judge what was read without a rejection: its YAML library may be another one than Python's."""
         files = [file for file in self._accepted if Path(file).is_file()]
@@ -294,7 +290,7 @@ class _Check:
         owners: dict[Assignment, list[str]] = {}
         for node, description in self._against.items():
             entries = effective(self._parser, node)
-            for assignment in self._for(node):
+            for assignment in (each for name in self._parser.blocks_for(node) for each in self._assignments[name]):
                 owners.setdefault(assignment, [])
                 described = description.parameters.get(assignment.name)
                 if described is not None or is_housekeeping(assignment.name):

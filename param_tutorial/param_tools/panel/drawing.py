@@ -41,8 +41,9 @@ def panel_markup(node: str, rows: Sequence[PanelRow], states: Mapping[str, RowSt
     body = ''
     for is_quiet, group in itertools.groupby(zip(rows, drawn), lambda each: each[0].is_quiet):
         parts = ''.join(markup for _, markup in group)
-        body += (f'<details class="param-group"{" open" if is_open else ""}><summary><span '
-                 f'role="heading" aria-level="4">{html.escape(HOUSEKEEPING)}</span></summary>{parts}</details>') if is_quiet else parts
+        body += (f'<details class="param-group"{" open" if is_open else ""}><summary><span role="heading" '
+                 f'aria-level="4">{html.escape(HOUSEKEEPING)}</span></summary>{parts}</details>'
+                 if is_quiet else parts)
     compact = ' param-compact' if len(rows) >= _SEARCH_FROM else ''
     return f'{_head(node, len(rows), status, tools=tools)}<div class="param-rows{compact}">{body}</div>'
 

@@ -67,7 +67,8 @@ def _copy_of(slot: Any) -> Copy:
         return _copy_text
     if kind == 'NamespacedType':
         # It is imported when it is needed: a service's event names the service's own module.
-        return functools.partial(_copy_nested, (*slot.namespaces, slot.name))
+        path = (*slot.namespaces, slot.name)
+        return lambda value: copy(value, nested_type(path))
     typename = getattr(slot.value_type, 'typename', '')
     if kind == 'Array':
         if typename in NUMBER_CODES and typename != 'char':
@@ -87,10 +88,6 @@ def _copy_of_sequence(copy_item: Copy, code: str | None, maximum: int | None) ->
             value = [value[index:index + 1] for index in range(len(value))]
         return [copy_item(item) for item in value]
     return copy_sequence
-
-
-def _copy_nested(path: tuple[str, ...], value: Any) -> Any:
-    return copy(value, nested_type(path))
 
 
 @functools.cache
