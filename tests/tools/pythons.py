@@ -42,7 +42,7 @@ def main(arguments: list[str]) -> int:
         if not (run(uv, 'pip', 'install', '--quiet', '--python', python, '--no-deps', '--requirement', LOCK,
                     '--editable', '.', '--build-constraints', LOCK, '--require-build-hashes')
                 and run(python, '-m', 'pytest', '-q', '-n', '4', '--dist', 'loadscope', '--nbval',
-                        '-m', 'not slow and not rare', *arguments, *TESTS)):
+                        '-m', 'not thorough and not rare', *arguments, *TESTS)):
             failed.append(version)
     print(f'Failed on CPython {" and ".join(failed)}.' if failed else 'All went well.')
     return int(bool(failed))

@@ -27,7 +27,7 @@ WRONG = {
         ([(ASK, f'self.driver.wait_for_services(1.0) and {ASK}')], 3, _SLEEPS),
         ([(ASK, ASK.replace('on_speed)', 'on_speed())'))], 1, "missing 1 required positional argument: 'future'"),
         ([('        self.create_timer(0.5, self.ask)', '        self.ask()')], 3, 'it is not asked'),
-        ([('create_timer(0.5', 'create_timer(4.0')], 2, 'it is asked '),
+        ([('create_timer(0.5', 'create_timer(1.0')], 3, 'it is asked '),
         ([('def ask(', 'async def ask('), (ASK, f'await {_UNHEARD}')], 1, 'Does the client have a group of its own?'),
         ([('future.result().values[0].double_value', 'future.result().values[0]')], 3,
          'its last line is `max_speed_mps is rcl_'),

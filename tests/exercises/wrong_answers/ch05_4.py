@@ -36,7 +36,7 @@ WRONG = {
          'So does whatever sleeps inside, as wait_for_service() does'),
         ([(ASK, f'while not self.client.service_is_ready():\n            pass\n        {ASK}')], 2,
          'it was still running after some seconds'),
-        ([(f'{GROUP})\n', f'{GROUP})\n        self.client.wait_for_service()\n')], 2, 'it was still running after'),
+        ([(f'{GROUP})\n', f'{GROUP})\n        self.client.wait_for_service()\n')], 2, 'still running after'),
         ([(ASK, f'if not self.client.service_is_ready():\n            raise RuntimeError("no driver")\n        {ASK}')],
          2, 'RuntimeError: no driver'),
         # Not atomic.

@@ -63,7 +63,7 @@ WRONG = {
         ([('reference_and_state_interfaces: [velocity]', 'reference_and_state_interfaces: velocity')], 3,
          "expecting type 'STRING_ARRAY'"),
         ([('command_interface: effort', 'command_interface: velocity')], 3, "it is `'velocity'`"),
-        ([(', antiwindup_strategy: conditional_integration', '')], 3, 'the file does not set it'),
+        ([(',\n         antiwindup_strategy: conditional_integration', '')], 3, 'the file does not set it'),
         ([('p: 0.25', 'p: 0.2')], 4, 'it is `0.2`'),
         ([('\n    ', '\n\t')], 0, 'this is not YAML'),
     ],
