@@ -111,6 +111,10 @@ def test_the_stage_runs_ours_until_a_step_is_passed_and_the_readers_file_stays(p
     package_files.passed.add('3d')
     package.need('3d')
     assert speed(package) == 0.25
+    package.save('driver_node.py', SLOW.replace('super', 'supper'))
+    package.need('3d')
+    assert speed(package) == 0.5
+    assert 'Yours does not run; it stays as it is' in package.status().words
 
 
 def test_nothing_of_the_readers_is_overwritten_without_a_backup(package, capsys):

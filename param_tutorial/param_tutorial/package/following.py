@@ -128,14 +128,19 @@ class FollowedPackage:
         with self._lock:
             self._step = step
             has_passed = self._has_passed()
-            self._work_in(self.files.root if has_passed else copy)
-            for program in self._programs:
-                program.seen = self.files.text(program.name)
-                self._run(program)
-                if not has_passed and self._words is not None:
-                    program.status = Status(
-                        f'The stage runs our {program.name} as it is after step {step}. Yours has not passed that '
-                        'step; it stays as it is, and runs when you save it.')
+            for root in (self.files.root, copy) if has_passed else (copy,):
+                self._work_in(root)
+                for program in self._programs:
+                    program.seen = self.files.text(program.name)
+                    self._run(program)
+                # What has passed may have been changed since; and a later step may be about another file.
+                if not any(status.is_error for status in self.statuses):
+                    break
+            for program in self._programs if self.root == copy and self._words is not None else ():
+                program.status = Status(
+                    f'The stage runs our {program.name} as it is after step {step}. Yours '
+                    f'{"does not run" if has_passed else "has not passed that step"}; it stays as it is, and runs when '
+                    'you save it.')
         self._listeners.call()
 
     def start(self, *words: str) -> None:

@@ -242,11 +242,6 @@ def _process(entity: Entity) -> dict[str, Any]:
         additional_env=dict(_pairs(entity.children('env'), 'name', 'value')) or None)
 
 
-def _executable(entity: Entity) -> Action:
-    return actions.ExecuteProcess(cmd=_words(entity, entity.need('cmd')) or [], **_process(entity), **_given(
-        name=_text(entity, entity.take('name'))))
-
-
 def _node_options(entity: Entity) -> dict[str, Any]:
     return _process(entity) | _given(
         package=_text(entity, entity.take('pkg')), executable=_text(entity, entity.need('exec')),
@@ -367,11 +362,6 @@ def _group(entity: Entity) -> Action:
     return actions.GroupAction(_actions(entity.children()), **_given(scoped=scoped))
 
 
-def _include(entity: Entity) -> Action:
-    return actions.IncludeLaunchDescription(_text(entity, entity.need('file')),
-                                            launch_arguments=_pairs(entity.children('arg'), 'name', 'value'))
-
-
 def _timer(entity: Entity) -> Action:
     period = entity.need('period')
     return actions.TimerAction(period=_text(entity, period) if isinstance(period, str) else float(period),
@@ -395,10 +385,13 @@ def _with_texts(make: Callable[..., Action], *names: str, **optional: str) -> Ca
 _ACTIONS: dict[str, Callable[[Entity], Action]] = {
     'arg': _argument,
     'let': _with_texts(actions.SetLaunchConfiguration, 'name', 'value'),
-    'include': _include,
+    'include': lambda entity: actions.IncludeLaunchDescription(
+        _text(entity, entity.need('file')), launch_arguments=_pairs(entity.children('arg'), 'name', 'value')),
     'group': _group,
     'node': lambda entity: ros_actions.Node(**_node_options(entity)),
-    'executable': _executable,
+    'executable': lambda entity: actions.ExecuteProcess(
+        cmd=_words(entity, entity.need('cmd')) or [], **_process(entity),
+        **_given(name=_text(entity, entity.take('name')))),
     'push_ros_namespace': _with_texts(ros_actions.PushROSNamespace, 'namespace'),
     'push-ros-namespace': _with_texts(ros_actions.PushROSNamespace, 'namespace'),
     'set_parameter': _with_texts(ros_actions.SetParameter, 'name', 'value'),
