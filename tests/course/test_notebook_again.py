@@ -24,6 +24,10 @@ def _count():
         for name in [name for name in names if re.fullmatch('_[_i]*[0-9]*', name)]:
             del names[name]
     shell.displayhook._ = shell.displayhook.__ = shell.displayhook.___ = None
+    # ipywidgets keeps each widget that nobody closes, and chapter 4 makes one.
+    slider = shell.user_ns.get('slider')
+    for each in (slider, slider.layout, slider.style) if slider else ():
+        each.close()
     executor = stage.current()
     # It holds the lines of one run. How many of them came from processes that end at once is luck.
     executor.node_log.clear()

@@ -43,11 +43,6 @@ def _library() -> ctypes.CDLL | None:
     return library
 
 
-def is_installed() -> bool:
-    """True if rcl's parser can be asked here."""
-    return _library() is not None
-
-
 def first_rejection(paths: Sequence[str | Path]) -> tuple[int, str] | None:
     """Return which of some files rcl rejects, as an index, and its reason; None if it rejects none, or isn't installed.
 

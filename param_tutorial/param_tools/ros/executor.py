@@ -311,6 +311,7 @@ class BackgroundExecutor:
                 self._first_values.pop(_full_name(node), None)
             self._executor.remove_node(node)
             destroy()
+            rclpy_private.drop_coroutines(self._executor, node)
             return end_service
 
         # The service ends in a turn of its own: by then the executor has let go of it.

@@ -14,6 +14,7 @@ import rclpy
 from rcl_interfaces.msg import ParameterEvent, SetParametersResult
 from rclpy import context, utilities
 from rclpy.exceptions import InvalidHandle
+from rclpy.executors import Executor
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
@@ -80,6 +81,13 @@ def destroy_by_force(node: Node) -> None:
         with contextlib.suppress(RuntimeError):  # raised when there is no user left
             while True:
                 handle.__exit__(None, None, None)
+
+
+def drop_coroutines(executor: Executor, node: Node) -> None:
+    """Cancel what a node that is destroyed still awaits: rclpy's executor keeps its coroutines, and so the node."""
+    for task, _, owner in executor._tasks:
+        if owner is node and not task.executing():
+            task.cancel()
 
 
 def keep_type_description_service(node: Node) -> Callable[[], None]:

@@ -1,11 +1,13 @@
 """A chapter as a source for Sphinx: its views drawn, its exercises with hints and solutions."""
 
+import json
 import re
 from collections.abc import Sequence
 from pathlib import Path
 
 import nbformat
 
+from param_tools.markup.tables import with_code
 from param_tutorial.exercises import EXERCISES, PREDICTIONS, RECALLS
 from param_tutorial.exercises.predicting import STYLE, draw_form
 from param_tutorial.exercises.prediction import MIME_TYPE
@@ -96,7 +98,8 @@ def _draw_views(notebook: nbformat.NotebookNode, live: LiveChapter) -> None:
 
 def live_cells(cells: Sequence[LiveCell]) -> str:
     """Return what the page's script has to know of the cells that it can run."""
-    facts = drawing.json_in_script([each._asdict() for each in cells])
+    facts = json.dumps([each._asdict() for each in cells], ensure_ascii=False, separators=(',', ':'))
+    facts = facts.replace('</', r'<\/')  # a script's element would end there
     return f'<script type="application/json" class="live-cells">{facts}</script>'
 
 
@@ -148,7 +151,7 @@ def _help_html(number: str, path: Path) -> str:
         return ''
     count = len(exercise.hints)
     parts = [drawing.details(f'Exercise {exercise.number}: hint {position} of {count}',
-                             f'<p>{drawing.inline(hint)}</p>')
+                             f'<p>{with_code(hint)}</p>')
              for position, hint in enumerate(exercise.hints, 1)]
     solved = path.parent / exercise.solutions
     if solved.exists():
@@ -157,7 +160,7 @@ def _help_html(number: str, path: Path) -> str:
         words = re.sub(r'^#+ .*\n+', '', cells[at - 1].source) if cells[at - 1].cell_type == 'markdown' else ''
         said = ''.join(output.data.get('text/html', '') for cell in cells[at:at + 2]
                        for output in cell.get('outputs', ()) if 'data' in output)
-        paragraphs = ''.join(f'<p>{drawing.inline(each)}</p>' for each in words.split('\n\n') if each.strip())
+        paragraphs = ''.join(f'<p>{with_code(each)}</p>' for each in words.split('\n\n') if each.strip())
         parts.append(drawing.details(f'Exercise {exercise.number}: a worked solution',
                                      f'{paragraphs}{drawing.code(cells[at].source)}{said}'))
     return f'<div class="lesson-help">{"".join(parts)}</div>'

@@ -1,9 +1,6 @@
 """Small pieces of HTML that several pages have."""
 
 import html
-import json
-import re
-from typing import Any
 
 from pygments import highlight
 from pygments.formatters import HtmlFormatter
@@ -19,13 +16,3 @@ def code(source: str) -> str:
 def details(summary: str, content: str) -> str:
     """Return something that a reader opens and closes."""
     return f'<details class="lesson-details"><summary>{html.escape(summary)}</summary><div>{content}</div></details>'
-
-
-def inline(text: str) -> str:
-    """Return HTML of a text in which backquotes stand around code."""
-    return re.sub(r'`([^`]+)`', r'<code>\1</code>', html.escape(text, quote=False))
-
-
-def json_in_script(value: Any) -> str:
-    """Return a value as JSON that may stand in a script's element, which ends at the first `</`."""
-    return json.dumps(value, ensure_ascii=False, separators=(',', ':')).replace('</', r'<\/')

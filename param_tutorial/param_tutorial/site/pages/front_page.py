@@ -7,9 +7,9 @@ from pathlib import Path
 
 import nbformat
 
+from param_tools.markup.tables import with_code
 from param_tutorial.site.live.running import LiveChapter
 from param_tutorial.site.live.stills import still
-from param_tutorial.site.pages import drawing
 from param_tutorial.site.pages.chapter import COURSE, NO_SCRIPT, live_cells
 from param_tutorial.site.pages.links import LAB, Links, is_deeper
 
@@ -176,7 +176,7 @@ def _cards(text: str, names: list[str]) -> str:
     cards = ''.join(
         f'<li><a href="{name}.html"><span class="front-number">{number}</span> {html.escape(title)}</a>'
         f'<p>{html.escape(question)}</p>'
-        + (f'<p class="front-after">Afterwards you can {drawing.inline(after)}.</p>' if after else '')
+        + (f'<p class="front-after">Afterwards you can {with_code(after)}.</p>' if after else '')
         + f'<p class="front-minutes">{minutes} minutes</p></li>'
         for number, title, name, question, minutes, after in _ROW.findall(text) if name in names)
     return cards and f'<ul class="front-lessons">{cards}</ul>'
