@@ -132,6 +132,7 @@ def test_undo_by_keyboard_and_a_value_brought_back(planner):
     button(page, 'Reset').click()
     expect(page.box('map_name')).to_have_value('hall')
     wait_for(lambda: (value(lab, 'rate_hz'), value(lab, 'map_name')) == (10, 'hall'), 'the node to have its values')
+    expect(page.page.locator(':focus .param-reset')).to_be_disabled()  # the panel has the focus, and hears Ctrl+Z
 
 
 def test_nothing_on_the_panel_keeps_anybody_from_using_it(planner):

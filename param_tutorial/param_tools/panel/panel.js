@@ -266,6 +266,7 @@ class ParameterPanel {
    * @param {string} client Names this script in the state.
    */
   show({status, undo, copies, rows, passed_on: passedOn}, client) {
+    const focused = focusedBeside(this.root);
     this.isLocked = Boolean(status);
     this.passedOn = passedOn[client] ?? 0;
     this.status.textContent = status || (this.status.dataset.count ?? '');
@@ -275,6 +276,8 @@ class ParameterPanel {
     this.reset.disabled = this.isLocked || !copies.length;
     if (this.copy) this.copy.disabled = !copies.length;
     for (const [index, text] of this.copies.entries()) text.value = copies[index] ?? '';
+    // What is disabled would lose the focus to the page, where Ctrl+Z undoes nothing.
+    if (this.root.contains(focused) && focused?.matches(':disabled')) Object.assign(this.root, {tabIndex: -1}).focus();
   }
 
   /**
