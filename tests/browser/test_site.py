@@ -215,7 +215,7 @@ def test_what_is_typed_or_slid_is_answered_by_the_node_in_the_page(page):
     expect(page.locator('html')).to_have_attribute('data-node', 'asleep')  # who reads waits for no Python
     type_into(page, 'power_w', '150')
     step = page.locator('.live-view', has=box(page, 'power_w')).locator('.live-step')
-    expect(step).to_contain_text('Python and ROS are coming into this page: step')
+    expect(step).to_contain_text(': Python and ROS are coming into this page')
     changes = page.get_by_role('log', name='Changes of all nodes').get_by_role('row')
     expect(changes.filter(has_text='150')).to_have_count(1, timeout=60_000)
     wait_for_the_node(page)

@@ -153,7 +153,7 @@ export class Page {
     const isLoading = this.step < STEPS.length;
     if (place && place !== this.line.parentElement) place.append(this.line);
     this.line.textContent = isLoading
-      ? `Python and ROS are coming into this page: step ${this.step + 1} of ${STEPS.length}, ${STEPS[this.step]} …`
+      ? `Step ${this.step + 1} of ${STEPS.length}, ${STEPS[this.step]}: Python and ROS are coming into this page …`
       : `Running cell ${this.told - this.running + 1} of ${this.told} …`;
     // A single cell has its own sign.
     if (isLoading || this.told > 1) this.line.hidden = false;
@@ -292,10 +292,6 @@ export class Page {
       else this.rest();
       return;
     }
-    if (said.is === 'dead') {
-      this.die(said.why);
-      return;
-    }
     const cell = this.byId.get(said.cell);
     if (said.is === 'begin' && cell) cell.isRunning = true;
     if (said.is === 'begin') this.timer = setTimeout(() => this.offerStop(), PATIENCE_MS);
@@ -303,6 +299,7 @@ export class Page {
     else if (said.is === 'log') this.margin.say(said.time_ms, `${said.text}\n`);
     else if (said.is === 'update') this.replace(said);
     else if (said.is === 'files') keepFiles(said.changes);
+    else if (said.is === 'dead') this.die(said.why);
     else if (said.is === 'solved') this.keepSolved(said.numbers);
     else if (said.is === 'begin' || said.is === 'clear') cell?.clear();
     else if (cell && said.is === 'output') this.hearOutput(cell, said.output);
@@ -476,9 +473,7 @@ function letEdit(page, cell, code) {
     made.addEventListener('click', onClick);
     return made;
   };
-  const run = () => {
-    page.run(cell);
-  };
+  const run = () => page.run(cell);
   const runByKey = (/** @type {KeyboardEvent} */ event) => {
     if (event.key !== 'Enter' || !(event.shiftKey || event.ctrlKey)) return;
     event.preventDefault();
