@@ -10,7 +10,7 @@ pytestmark = [pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may t
 
 LONG = '\n\n' + 'A line.\n\n' * 60
 CELLS = (
-    '# A robot\nOn its track:',
+    '# A robot, in a line as long as there is room for\nOn its track:',
     'import param_tutorial\nfrom param_tutorial import ParameterPanel\n'
     'from param_tutorial.views import SideBySide, TrackView\n'
     'from param_tutorial.nodes.base_node import BaseNode\nfrom param_tutorial.nodes.driver_node import DriverNode\n\n'
@@ -94,8 +94,10 @@ def test_it_is_drawn_once_and_stays_in_sight_also_when_an_earlier_cell_runs_agai
 def test_it_folds_beside_text_about_something_else_and_unfolds_at_a_click_or_where_there_is_one(page):
     read(page, 'Of the robot, too')
     expect(beside(page).locator('.track-scene')).to_be_visible()
+    expect(page.page.locator('.jp-toolbar-overlap')).to_have_count(1)  # the toolbar of the active cell has no room
     read(page, 'Something else')
     expect(strip(page)).to_be_visible()
+    expect(page.page.locator('.jp-toolbar-overlap')).to_have_count(0)
     expect(beside(page).locator('.track-scene')).to_have_count(0)
     assert page.page.locator('.jp-Notebook').bounding_box()['width'] > 1150
     # The line that was read is where it was.

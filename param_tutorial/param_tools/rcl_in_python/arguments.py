@@ -257,14 +257,6 @@ def _take_level(arguments: Arguments, flag: str, text: str) -> None:
     arguments.levels[found['logger'] or ''] = level
 
 
-def _take_enclave(arguments: Arguments, _: str, text: str) -> None:
-    arguments.enclave = text
-
-
-def _take_log_config(arguments: Arguments, _: str, text: str) -> None:
-    arguments.log_config_file = text
-
-
 _Take = Callable[[Arguments, str, str], None]
 _NO_RULE = "Couldn't parse trailing {} flag. No "
 _FLAGS: dict[str, tuple[_Take, str]] = {
@@ -274,8 +266,10 @@ _FLAGS: dict[str, tuple[_Take, str]] = {
         (('--params-file',), _take_file, _NO_RULE + 'file path provided.'),
         (('--log-level',), _take_level, "Couldn't parse trailing log level flag: '{}'. No log level provided."),
         (('--log-file-name',), lambda *_: None, _NO_RULE + 'string prefix provided.'),
-        (('--log-config-file',), _take_log_config, _NO_RULE + 'file path provided.'),
-        (('-e', '--enclave'), _take_enclave, _NO_RULE + 'enclave path provided.'),
+        (('--log-config-file',), lambda arguments, _, text: setattr(arguments, 'log_config_file', text),
+         _NO_RULE + 'file path provided.'),
+        (('-e', '--enclave'), lambda arguments, _, text: setattr(arguments, 'enclave', text),
+         _NO_RULE + 'enclave path provided.'),
     ) for flag in flags}
 
 

@@ -166,6 +166,8 @@ class Place {
     const before = node.getBoundingClientRect().top;
     if (state) this.panel.dataset.besideText = state;
     else delete this.panel.dataset.besideText;
+    // JupyterLab hides the toolbar of a cell whose text it would cover; now that is narrower.
+    this.notebook.activeCell?.displayChanged.emit();
     this.text.scrollTop += node.getBoundingClientRect().top - before;
     this.quietUntil = performance.now() + QUIET_MS;
   }
