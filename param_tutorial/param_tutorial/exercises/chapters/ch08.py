@@ -41,8 +41,12 @@ SPEED, STOP, BRAKING = 'max_speed_mps', 'stop_distance_m', 'braking_mps2'
 # What runs the tests of several packages: a line for each test, and one in front of each package.
 _RUN = '''
 import importlib.util
+import os
+import re
 import runpy
 import sys
+
+os.environ['PY_COLORS'] = '0'  # pytest would color its words, as JupyterLab's kernel asks each program to
 
 
 def note(name, error):
@@ -59,7 +63,9 @@ class Notes:
 
     def pytest_collectreport(self, report):
         if report.failed:
-            note('the_file', str(report.longrepr).strip().splitlines()[-1].removeprefix('E   '))
+            *before, last = str(report.longrepr).strip().splitlines()
+            lines = re.findall('test_parameters[.]py(?:", line |:)([0-9]+)', ' '.join(before))
+            note('the_file', last.removeprefix('E   ') + f' (line {lines[-1]})' * bool(lines))
 
 
 def call_each(path):
