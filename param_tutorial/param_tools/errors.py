@@ -36,7 +36,7 @@ _CAUSES = (
      'A callback is given by its name alone, without parentheses'),
     (r"SetParametersResult' object is not iter", 'A pre-set callback returns a list; a judge is an on-set callback'),
     (r"'(NoneType|bool)' object has no attribute 'successful'", 'A judge returns a `SetParametersResult` in any case'),
-    (r"'(function|method|Future)' object has no attribute '(successful|results?|values)'",
+    (r"'(function|method|Future)' object has no attribute '(successful|results?|values|names)'",
      'It is a future, whose answer has still to come'),
     (r"'NoneType' object has no attribute '(results?|values|types|descriptors)'",
      '`None` is an answer that has not come: `result()` of a future does not wait for it'),

@@ -43,6 +43,7 @@ WRONG = {
         ([(READ, '        self.get_client.call_async(GetParameters.Request()).add_done_callback(self.on_values)\n\n'
                  '    def on_values(self, future):\n        for value in future.result().values:\n'
                  '            self.found[value.name] = parameter_value_to_python(value)')], 0, 'it is `{}`'),
+        ([('answer = await self.list_client', 'answer = self.list_client')], 0, 'It is a future'),
         # All questions at once: the client keeps ten answers, and loses others if the rover is in another process.
         ([('        for name in answer.result.names:\n            values = (await self.get_client.call_async('
            'GetParameters.Request(names=[name]))).values\n',
