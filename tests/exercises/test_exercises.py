@@ -3,6 +3,7 @@
 import re
 import shutil
 import threading
+import time
 
 import pytest
 from rclpy.node import Node
@@ -154,6 +155,13 @@ def test_a_button_callback_that_cannot_be_interrupted_is_reported_and_start_begi
     assert [finding.word for finding in result.findings] == ['not yet', 'not tried', 'not tried']
     stage.start()
     assert exercises.check('5.4a', solution('5.4a')).done
+
+
+@pytest.mark.rare
+def test_a_callback_that_keeps_the_thread_is_named_and_not_the_constructor(ros, monkeypatch):
+    monkeypatch.setattr(trial, 'TIME_LIMIT_SEC', 2.5)
+    ros.add(BaseNode).create_timer(0.1, lambda: [time.sleep(0.01) for _ in iter(int, 1)])  # for ever
+    assert 'the timer callback <lambda> of /base' in str(exercises.check('3a', solution('3a')))
 
 
 def test_a_wrong_node_name_is_one_finding_and_the_rest_counts(ros):

@@ -10,7 +10,7 @@ from param_tools.ros import stage
 from param_tools.ros.environment import package_in_work
 from param_tutorial import Package, Terminal
 from param_tutorial.learner import package_files
-from param_tutorial.learner.package_files import ours, steps
+from param_tutorial.learner.package_files import ours
 from param_tutorial.learner.progress import FILE, VARIABLE
 from param_tutorial.package import loading
 
@@ -166,11 +166,6 @@ def test_a_step_or_a_chapter_that_there_is_not_is_named(package):
         package.need('3x')
     with pytest.raises(ParameterToolError, match=r"chapter '1' has nothing to begin with"):
         Package('1')
-
-
-def test_each_step_changes_something():
-    for before, after in zip(steps(), steps()[1:], strict=False):
-        assert ours(before) != ours(after), after
 
 
 def test_a_file_that_is_no_node_can_be_what_a_step_is_about(package):

@@ -202,12 +202,16 @@ class Trial:
         remapped = [word for rule in moved_to(f'{CORNER}{namespace}') for word in ('-r', rule)]
         # At the end, where it opens no block of parameters before others do.
         fewer = [] if all_services else ['-p', 'start_type_description_service:=false']
+        began = time.monotonic()
         try:
             with _time_limit(self._limit_sec()):
                 node = self.ros.add(node_class, ros_args=[*remapped, *ros_args, *fewer])
         except (Exception, SystemExit) as error:
             why = describe_error(error)
-            raise NoStart('a node that starts', f'its constructor did not finish. {why[0].upper()}{why[1:]}') from None
+            # Another node, such as the one that the stage runs for the same file, may be in the way.
+            kept_by = self.ros.culprit(began) if isinstance(error, WaitTimeoutError) else ''
+            raise NoStart('a node that starts', kept_by or (
+                f'its constructor did not finish. {why[0].upper()}{why[1:]}')) from None
         if isinstance(self.work, type) and issubclass(node_class, self.work):
             self.names.add(node.get_name())
             _expect_sendable(node)

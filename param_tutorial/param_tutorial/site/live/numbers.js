@@ -85,19 +85,21 @@ class Handle {
     this.timer = setTimeout(() => this.send(), 400); // a key that is held sets one value
   }
 
-  /** Ask the node for the value; a rejection brings back the one that it holds. */
+  /** Ask the node for the value, and show what it holds then: it may have rejected or trimmed this one. */
   async send() {
     const value = this.value.toFixed(this.digits);
     if (Number(value) === this.held) return;
     this.say('asking the node …');
     const said = await this.page.ask(
       this.place,
-      `import param_tutorial\nprint(param_tutorial.ParameterClient('${this.node}').set_parameter('${this.name}', ${value}))`,
+      // A name would replace one of the reader's.
+      `import param_tutorial\nprint(*(lambda node: (node.set_parameter('${this.name}', ${value}), ` +
+        `node.get_parameter('${this.name}')))(param_tutorial.ParameterClient('${this.node}')), sep='\\t')`,
     );
-    this.say(said.trim().split('\n').at(-1) ?? '');
-    if (said.includes(' accepted ')) {
-      this.held = Number(value);
-      this.page.age(this.place);
-    } else this.show(this.held);
+    const [words, held] = (said.trim().split('\n').at(-1) ?? '').split('\t');
+    this.say(words);
+    if (held) this.held = Number(held);
+    this.show(this.held);
+    if (words.includes(' accepted ')) this.page.age(this.place);
   }
 }

@@ -21,7 +21,7 @@ _KEPT = re.compile(r'IPython/(terminal|testing)/(__init__|skipdoctest|pt_inputho
                    r'_(css|lua|ruby)\w*)\.py')
 # Whose lines a traceback may show; what lies outside of the packages is read as it is.
 _WITH_SOURCE = re.compile(r'rclpy/|/etc/|course/config/|course/\w+/launch/|.*/param_tutorial/nodes/')
-_COMPILED = re.compile(r'(.*/)?__pycache__/(\w+)\.cpython-\d+\.pyc')
+_COMPILED = re.compile(r'(.*/)?__pycache__/([\w-]+)\.cpython-\d+\.pyc')
 _ROOT = re.compile(r'[\w.-]+\.data/data(/.*)')
 _PYODIDE = ('pyodide.mjs', 'pyodide.asm.mjs', 'pyodide.asm.wasm', 'pyodide-lock.json')
 _STDLIB = 'python_stdlib.zip'
@@ -48,15 +48,16 @@ def _joined(files: Mapping[str, bytes]) -> bytes:
 def _package_files(pyodide: Path) -> Iterator[tuple[str, bytes]]:
     for archive in sorted((*pyodide.glob('*.whl'), *pyodide.glob('param-course*.zip'))):
         with zipfile.ZipFile(archive) as wheel:
-            names = set(wheel.namelist())
-            for name in sorted(names):
+            names = sorted(wheel.namelist())
+            compiled_from = {_source_of(name) for name in names if _COMPILED.fullmatch(name)}
+            for name in names:
                 where = root[1] if (root := _ROOT.fullmatch(name)) else name
                 if where.startswith(_LEFT_OUT) and not _KEPT.fullmatch(_source_of(where)):
                     continue
                 has_source = bool(_WITH_SOURCE.match(where))
                 if (compiled := _COMPILED.fullmatch(where)) and not has_source:
                     where = f'{compiled[1] or ""}{compiled[2]}.pyc'
-                elif where.endswith('.py') and not has_source and _compiled_of(name) in names:
+                elif where.endswith('.py') and not has_source and name in compiled_from:
                     continue
                 yield where, wheel.read(name)
 
@@ -76,11 +77,6 @@ def _texts_of(notebooks: Path) -> dict[str, bytes]:
 def _source_of(name: str) -> str:
     compiled = _COMPILED.fullmatch(name)
     return f'{compiled[1] or ""}{compiled[2]}.py' if compiled else name
-
-
-def _compiled_of(name: str) -> str:
-    path = Path(name)
-    return str(path.parent / '__pycache__' / f'{path.stem}.cpython-314.pyc')
 
 
 def everything(pyodide: Path, packed: bytes) -> bytes:
