@@ -18,16 +18,14 @@ const TOKENS = new RegExp(
   'g',
 );
 
-/**
- * Return a text in colors.
- * @param {string} text
- */
-function paint(text) {
+/** Return a text in colors; only Python has keywords. @param {string} text @param {boolean} isPython */
+function paint(text, isPython) {
   const parts = [];
   let at = 0;
   for (const found of text.matchAll(TOKENS)) {
     const [kind] = Object.entries(found.groups ?? {}).find(([, part]) => part !== undefined) ?? [''];
-    parts.push(text.slice(at, found.index), make('span', {className: `file-${kind}`}, found[0]));
+    const isPlain = kind === 'keyword' && !isPython;
+    parts.push(text.slice(at, found.index), isPlain ? found[0] : make('span', {className: `file-${kind}`}, found[0]));
     at = found.index + found[0].length;
   }
   // A last empty line has its height, too.
@@ -101,7 +99,7 @@ function render({model, el}) {
     const isDraft = area.value !== base;
     const hasRun = !isDraft && base === model.get('text');
     const line = hasRun ? model.get('line') : 0;
-    colors.replaceChildren(...paint(area.value));
+    colors.replaceChildren(...paint(area.value, model.get('name').endsWith('.py')));
     const count = area.value.split('\n').length;
     numbers.replaceChildren(
       ...Array.from({length: count}, (_, at) =>

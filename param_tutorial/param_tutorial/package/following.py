@@ -136,11 +136,12 @@ class FollowedPackage:
                 # What has passed may have been changed since; and a later step may be about another file.
                 if not any(status.is_error for status in self.statuses):
                     break
-            for program in self._programs if self.root == copy and self._words is not None else ():
-                program.status = Status(
-                    f'The stage runs our {program.name} as it is after step {step}. Yours '
-                    f'{"does not run" if has_passed else "has not passed that step"}; it stays as it is, and runs when '
-                    'you save it.')
+            if self.root == copy and self._words is not None:
+                why = 'does not run' if has_passed else 'has not passed that step'
+                for program in self._programs:
+                    program.status = Status(
+                        f'The stage runs our {program.name} as it is after step {step}. Yours {why}; it stays as it '
+                        'is, and runs when you save it.')
         self._listeners.call()
 
     def start(self, *words: str) -> None:

@@ -111,7 +111,8 @@ def describe(error: BaseException, path: Path) -> LoadError:
     """Return an exception as a sentence, with the line of the reader's file that it comes from."""
     if isinstance(error, SyntaxError) and error.filename == str(path):
         line = error.lineno or 0
-        return LoadError(f'{type(error).__name__} in line {line} of {path.name}: {error.msg}.'.replace('?.', '?'), line)
+        end = '' if error.msg.endswith('?') else '.'
+        return LoadError(f'{type(error).__name__} in line {line} of {path.name}: {error.msg}{end}', line)
     lines = [number for frame, number in traceback.walk_tb(error.__traceback__)
              if frame.f_code.co_filename == str(path)]
     line = lines[-1] if lines else 0
